@@ -1,0 +1,18 @@
+# Warnings for our own targets; errors when STRATA_WERROR is on, as in CI.
+option(STRATA_WERROR "Treat warnings in Strata's own code as errors" ON)
+
+function (strata_compile_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
+  if (STRATA_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif ()
+endfunction ()
+
+# One test program per stage: strata_add_core_test(Slice TestSlice.cpp ...)
+function (strata_add_core_test stage)
+  add_executable(Test${stage} ${ARGN})
+  target_link_libraries(Test${stage} PRIVATE StrataCore StrataTestSupport GTest::gtest_main)
+  strata_compile_options(Test${stage})
+  gtest_discover_tests(Test${stage} TEST_PREFIX "Core." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS Core TIMEOUT 300)
+endfunction ()
