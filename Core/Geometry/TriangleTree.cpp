@@ -1,0 +1,108 @@
+#include "Geometry/TriangleTree.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace strata
+{
+namespace
+{
+constexpr std::int32_t trianglesPerLeaf = 4;
+constexpr int deepestTree = 64;
+}
+
+TriangleTree::TriangleTree(std::vector<std::array<Vector, 3>> triangles) : triangles_(std::move(triangles))
+{
+  const auto count = static_cast<std::int32_t>(triangles_.size());
+  order_.resize(triangles_.size());
+  std::iota(order_.begin(), order_.end(), 0);
+  std::vector<Vector> centers(triangles_.size());
+  std::transform(triangles_.begin(), triangles_.end(), centers.begin(),
+    [](const std::array<Vector, 3>& t) { return Vector((t[0] + t[1] + t[2]) / 3.0); });
+  nodes_.reserve(triangles_.size());
+  if (count > 0)
+  {
+    build(0, count, centers);
+  }
+}
+
+std::int32_t TriangleTree::build(std::int32_t begin, std::int32_t end, const std::vector<Vector>& centers)
+{
+  Box box;
+  Box centerBox;
+  for (std::int32_t i = begin; i < end; ++i)
+  {
+    for (const Vector& corner : triangles_[order_[i]])
+    {
+      box.add(corner);
+    }
+    centerBox.add(centers[order_[i]]);
+  }
+  const auto id = static_cast<std::int32_t>(nodes_.size());
+  nodes_.push_back({ box, 0, begin, 0 });
+  if (end - begin <= trianglesPerLeaf)
+  {
+    nodes_[id].count = end - begin;
+    return id;
+  }
+  int axis = 0;
+  centerBox.size().maxCoeff(&axis);
+  const std::int32_t middle = begin + (end - begin) / 2;
+  std::nth_element(
+    order_.begin() + begin, order_.begin() + middle, order_.begin() + end, [&](std::int32_t a, std::int32_t b) {
+      const double x = centers[a][axis];
+      const double y = centers[b][axis];
+      return x < y || (x == y && a < b);
+    });
+  build(begin, middle, centers);
+  nodes_[id].second = build(middle, end, centers);
+  return id;
+}
+
+void TriangleTree::searchLeaf(const Node& node, const Vector& p, Hit& best) const
+{
+  for (std::int32_t i = node.first; i < node.first + node.count; ++i)
+  {
+    const std::int32_t triangle = order_[i];
+    const ClosestPoint candidate = closestPointOnTriangle(p, triangles_[triangle]);
+    const double d2 = (candidate.point - p).squaredNorm();
+    const bool firstOfEqual = d2 == best.squaredDistance && (best.triangle < 0 || triangle < best.triangle);
+    if (d2 < best.squaredDistance || firstOfEqual)
+    {
+      best = { triangle, candidate.point, candidate.feature, d2 };
+    }
+  }
+}
+
+TriangleTree::Hit TriangleTree::closest(const Vector& p, double maximumSquaredDistance) const
+{
+  Hit best;
+  best.squaredDistance = maximumSquaredDistance;
+  if (nodes_.empty())
+  {
+    return best;
+  }
+  std::array<std::pair<std::int32_t, double>, deepestTree> stack;
+  int depth = 0;
+  stack[depth++] = { 0, nodes_[0].box.squaredDistance(p) };
+  while (depth > 0)
+  {
+    const auto [id, distance] = stack[--depth];
+    if (distance > best.squaredDistance)
+    {
+      continue;
+    }
+    const Node& node = nodes_[id];
+    if (node.count > 0)
+    {
+      searchLeaf(node, p, best);
+      continue;
+    }
+    const std::pair<std::int32_t, double> a = { id + 1, nodes_[id + 1].box.squaredDistance(p) };
+    const std::pair<std::int32_t, double> b = { node.second, nodes_[node.second].box.squaredDistance(p) };
+    stack[depth++] = a.second <= b.second ? b : a;
+    stack[depth++] = a.second <= b.second ? a : b;
+  }
+  return best;
+}
+}
