@@ -1,11 +1,14 @@
 # Warnings for our own targets; errors when STRATA_WERROR is on, as in CI.
 option(STRATA_WERROR "Treat warnings in Strata's own code as errors" ON)
+set(STRATA_WARNINGS -Wall -Wextra -Wpedantic -Wshadow)
+if (STRATA_WERROR)
+  list(APPEND STRATA_WARNINGS -Werror)
+endif ()
+# VTK's class macros, which are written with a semicolon, don't pass -Wpedantic.
+set(STRATA_VTK_WARNINGS ${STRATA_WARNINGS} -Wno-pedantic)
 
 function (strata_compile_options target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
-  if (STRATA_WERROR)
-    target_compile_options(${target} PRIVATE -Werror)
-  endif ()
+  target_compile_options(${target} PRIVATE ${STRATA_WARNINGS})
 endfunction ()
 
 # One test program per stage: strata_add_core_test(Slice TestSlice.cpp ...)

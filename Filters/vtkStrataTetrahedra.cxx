@@ -1,0 +1,5 @@
+#include "vtkStrataTetrahedra.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkStrataTetrahedra);

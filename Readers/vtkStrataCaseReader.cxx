@@ -1,0 +1,5 @@
+#include "vtkStrataCaseReader.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkStrataCaseReader);

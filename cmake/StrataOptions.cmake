@@ -1,0 +1,22 @@
+# What a standalone build can be asked for.
+option(STRATA_PARAVIEW "Build the ParaView plugin; off: the core library alone" ON)
+option(STRATA_QT "Give the plugin its icon and help pages (needs Qt 5's development files and tools)" ON)
+option(STRATA_PYTHON "Make the classes importable in Python: import strata" ON)
+option(STRATA_BENCHMARKS "Build the benchmarks (needs Google Benchmark)" OFF)
+option(STRATA_IMPACT_GENERATOR "Build the program that computed Data/impact (needs OpenMP)" OFF)
+option(BUILD_TESTING "Build the tests" ON)
+option(BUILD_SHARED_LIBS "Build the plugin's modules as shared libraries" ON)
+set(STRATA_EXTRA_DATA "" CACHE PATH "A folder with further data sets; tests that need them are left out without it")
+
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug, ..." FORCE)
+endif ()
+# Assertions state the core's invariants and stay on: they cost little beside the geometry.
+string(REPLACE "-DNDEBUG" "" CMAKE_CXX_FLAGS_RELEASE "${CMAKE_CXX_FLAGS_RELEASE}")
+if (STRATA_PARAVIEW)
+  include(GNUInstallDirs)
+  set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+  set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+  set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+endif ()
