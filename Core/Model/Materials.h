@@ -32,6 +32,8 @@ public:
   int size() const { return __builtin_popcountll(bits_); }
   /// The lowest id of a set that is not empty.
   MaterialId first() const { return MaterialId(__builtin_ctzll(bits_)); }
+  /// How many members have a lower id than m.
+  int rank(MaterialId m) const { return __builtin_popcountll(bits_ & ((std::uint64_t{ 1 } << m.value) - 1)); }
   void insert(MaterialId m) { bits_ |= std::uint64_t{ 1 } << m.value; }
   void erase(MaterialId m) { bits_ &= ~(std::uint64_t{ 1 } << m.value); }
   bool includes(MaterialSet other) const { return (other.bits_ & ~bits_) == 0; }
