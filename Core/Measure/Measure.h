@@ -5,7 +5,9 @@
 #include "Model/Progress.h"
 #include "Model/Representation.h"
 
+#include <array>
 #include <utility>
+#include <vector>
 
 namespace strata
 {
