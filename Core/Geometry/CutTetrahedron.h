@@ -1,0 +1,87 @@
+#pragma once
+
+#include "Geometry/CutPoint.h"
+#include "Geometry/FunctionTies.h"
+#include "Geometry/SymbolicPolyhedron.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace strata
+{
+/// A linear function on a tetrahedron: its id, 0 to 63, and its values at the corners, in their order.
+/// Values are finite, below 1e60 in size; below 1e-60 they count as 0.
+struct CornerValues
+{
+  int function = 0;
+  std::array<double, 4> values{};
+};
+
+/// A tetrahedron cut into the convex regions where each of several linear functions is the smallest
+/// (design 3.8). Ties go to the lowest id: function m counts as lowered by an infinitesimal e^(m+1). Every
+/// decision is the exact sign of a determinant of corner values, so tetrahedra that share a face cut it
+/// in the same way, point for point. Points that coincide exactly are one point.
+///
+/// The object is a workspace: `cut` replaces the former result. One object per thread.
+class TetrahedronCut
+{
+public:
+  /// A face of a region: a convex polygon, its points counter-clockwise seen from outside the region
+  /// (for a tetrahedron whose corners are given in positive orientation).
+  struct Face
+  {
+    int function = 0; ///< whose region
+    /// The function beyond, or -1 - c on the tetrahedron's face opposite to the given corner c.
+    int beyond = 0;
+    int begin = 0; ///< points: loops()[begin] .. loops()[end]
+    int end = 0;
+
+    /// True for one of the two sides of an interface: the one of the lower function, whose normal points into
+    /// the higher one.
+    bool isInterface() const { return beyond > function; }
+  };
+
+  /// Cuts. `vertices` are the corners' global ids, all different; the functions' ids ascend.
+  void cut(const std::array<std::int64_t, 4>& vertices, const CornerValues* functions, int count);
+
+  /// The functions that have a region, by ascending id.
+  const std::vector<int>& winners() const { return winners_; }
+  /// The faces of all regions, grouped by function, ascending. Each interface appears twice, once for either side.
+  const std::vector<Face>& faces() const { return faces_; }
+  const std::vector<int>& loops() const { return loops_; }
+  /// Every point once.
+  const std::vector<CutPoint>& points() const { return points_; }
+  /// Barycentric coordinates of each point with respect to the corners by ascending id.
+  const std::vector<std::array<double, 4>>& coordinates() const { return coordinates_; }
+  /// The corners by ascending id.
+  const std::array<std::int64_t, 4>& sortedVertices() const { return ties_.vertices(); }
+  /// True where putting the corners into ascending order turns the orientation round.
+  bool reversed() const { return reversed_; }
+
+private:
+  struct NamedPoint
+  {
+    SymbolicVertex name;
+    int point;
+  };
+
+  void sortCorners(const std::array<std::int64_t, 4>& vertices);
+  void addFunctions(const CornerValues* functions, int count);
+  void addRegion(int function);
+  void addFace(int function, int label, const int* begin, const int* end);
+  int pointOf(const SymbolicVertex& vertex, int function);
+
+  FunctionTies ties_;
+  SymbolicPolyhedron region_;
+  std::array<int, 4> order_{}; ///< position of the sorted corner among the given ones
+  bool reversed_ = false;
+  std::vector<int> candidates_;
+  std::vector<int> winners_;
+  std::vector<Face> faces_;
+  std::vector<int> loops_;
+  std::vector<CutPoint> points_;
+  std::vector<std::array<double, 4>> coordinates_;
+  std::vector<NamedPoint> named_;
+};
+}

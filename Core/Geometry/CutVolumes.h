@@ -1,0 +1,16 @@
+#pragma once
+
+#include "Geometry/CutTetrahedron.h"
+
+namespace strata
+{
+/// Volume of each region as a fraction of the tetrahedron, by position in the list of functions; sums to 1 up
+/// to rounding. Faster than a cut for one or two functions; otherwise `workspace` is used for it.
+void regionVolumes(const CornerValues* functions, int count, TetrahedronCut& workspace, double* volumes);
+
+/// As regionVolumes; also how the volumes change when constants are added to the functions:
+/// derivatives[count * i + j] = d volumes[i] / d constant[j]. Symmetric, each row sums to 0, and positive off the
+/// diagonal: the interface's area over the length of the gradient of the difference.
+void regionVolumesAndDerivatives(
+  const CornerValues* functions, int count, TetrahedronCut& workspace, double* volumes, double* derivatives);
+}
