@@ -1,0 +1,44 @@
+#pragma once
+
+#include "Native/SampleBlocks.h"
+#include "Native/SampledData.h"
+
+namespace strata
+{
+/// Native data on a rectilinear grid: the samples form a lattice, the cell centres or the grid's points.
+class RectilinearData final : public SampledData
+{
+public:
+  RectilinearData(const Simulation& simulation, const NativeOptions& options, Progress& progress);
+
+  void positions(const SampleIndex* samples, Index count, Vector* result) const override;
+  void evaluate(MaterialId m, const Vector& point, bool inside, const Vector& closest, GhostMethod method,
+    double* result) const override;
+
+private:
+  /// One group's lattice.
+  struct Layout
+  {
+    SampleLattice lattice;
+    SampleBlocks blocks;
+  };
+  using Position = SampleLattice::Position;
+
+  bool sampleNear(std::size_t group, MaterialId m, const Vector& point) const;
+  /// Multilinear interpolation over the samples round the point; those that don't count for m are filled.
+  void interpolate(std::size_t group, MaterialId m, const Vector& point, double* result) const;
+  /// The mean of m's samples round the point with the weights of multilinear interpolation, else the nearest
+  /// sample of m.
+  void average(std::size_t group, MaterialId m, const Vector& point, double* result) const;
+  /// Linear extrapolation from m's samples near `closest`.
+  void extrapolate(std::size_t group, MaterialId m, const Vector& point, const Vector& closest, double* result) const;
+  /// Adds `factor` times the linear fit to m's samples round `center`, weighted by their distance from
+  /// `origin`, at `point`. False where there are no samples.
+  bool addFitRound(std::size_t group, MaterialId m, const Position& center, const Vector& origin, const Vector& point,
+    double factor, double* result) const;
+  void collect(std::size_t group, MaterialId m, const Position& center, const Vector& origin, const Vector& spacing,
+    Index radius, FitSamples& samples) const;
+
+  std::vector<Layout> layouts_;
+};
+}
