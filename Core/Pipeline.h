@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Build/BuildOptions.h"
+#include "Emit/Emit.h"
 #include "Model/Interfaces.h"
 #include "Model/Mesh.h"
 #include "Model/Progress.h"
@@ -14,15 +15,18 @@ namespace strata
 class Multiresolution
 {
 public:
-  /// Starts a hierarchy. `native` and `interfaces` are kept.
-  Multiresolution(
-    std::shared_ptr<const NativeData> native, Interfaces interfaces, const BuildOptions& options, Progress& progress);
+  /// `native` and `interfaces` are kept; nothing is computed before the first level is asked for.
+  Multiresolution(std::shared_ptr<const NativeData> native, Interfaces interfaces, const BuildOptions& options);
   ~Multiresolution();
   Multiresolution(Multiresolution&&) noexcept;
   Multiresolution& operator=(Multiresolution&&) noexcept;
 
-  /// Extends the hierarchy where it must, selects the level and emits it.
-  Mesh level(const SelectOptions& options, Progress& progress);
+  /// Extends the hierarchy where it must, selects the level and emits it. The result depends on the options
+  /// alone, not on the levels asked for before. Throws InvalidInput for bounds that are not positive.
+  Mesh level(const SelectOptions& options, Progress& progress, const EmitOptions& emitted = {});
+
+  /// The hierarchy as far as it has been built; null before the first level.
+  const Hierarchy* hierarchy() const;
 
 private:
   struct State;

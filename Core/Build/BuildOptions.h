@@ -31,11 +31,4 @@ struct BuildOptions
   GhostMethod ghostMethod = GhostMethod::DataThenLinear;
   NativeElements nativeElements = NativeElements::Points;
 };
-
-/// Largest errors allowed, in the data's units.
-struct ErrorBounds
-{
-  double interfaceError = 0.0;
-  std::vector<double> fieldErrors; ///< one per field; infinity where a field sets no bound
-};
 }

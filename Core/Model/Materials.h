@@ -27,6 +27,9 @@ public:
   constexpr MaterialSet() = default;
   static MaterialSet of(MaterialId m) { return MaterialSet(std::uint64_t{ 1 } << m.value); }
 
+  static MaterialSet fromBits(std::uint64_t bits) { return MaterialSet(bits); }
+  std::uint64_t bits() const { return bits_; }
+
   bool contains(MaterialId m) const { return (bits_ >> m.value) & 1u; }
   bool empty() const { return bits_ == 0; }
   int size() const { return __builtin_popcountll(bits_); }

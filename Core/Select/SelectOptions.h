@@ -1,7 +1,9 @@
 #pragma once
 
-#include "Build/BuildOptions.h"
+#include "Model/ErrorBounds.h"
+#include "Model/Ids.h"
 
+#include <cstdint>
 #include <limits>
 
 namespace strata
@@ -20,7 +22,8 @@ struct SelectOptions
 {
   ErrorBounds bounds;
   ErrorMethod errorMethod = ErrorMethod::Direct;
-  /// Bounds of the hierarchy that saturated and accumulated errors look down into; never looser than `bounds`.
+  /// How deep saturated and accumulated errors look into the hierarchy; 0 or empty, or looser than `bounds`: no
+  /// deeper than `bounds`.
   ErrorBounds finestBounds;
   Index maximumNumberOfCells = std::numeric_limits<Index>::max();
 };

@@ -1,0 +1,326 @@
+#include "Build/HierarchyBuilder.h"
+
+#include "Build/CellErrors.h"
+#include "Model/Errors.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace strata
+{
+namespace
+{
+void check(const NativeData& native, const BuildOptions& options)
+{
+  if (native.materials().size() > static_cast<std::size_t>(MaterialSet::capacity))
+  {
+    throw InvalidInput("the data has " + std::to_string(native.materials().size()) + " materials; at most " +
+                       std::to_string(MaterialSet::capacity) + " are supported");
+  }
+  const Vector size = native.box().size();
+  if (native.box().empty() || !size.allFinite() || size.minCoeff() <= 0.0)
+  {
+    throw InvalidInput("the data has no volume: its box is empty or flat");
+  }
+  for (const int cubes : options.baseCubes)
+  {
+    if (cubes < 1 || cubes > Lattice::maximumCubes)
+    {
+      throw InvalidInput("BaseCubes is " + std::to_string(cubes) + "; it must lie in [1, " +
+                         std::to_string(Lattice::maximumCubes) + "]");
+    }
+  }
+}
+
+Lattice latticeFor(const NativeData& native, const BuildOptions& options)
+{
+  check(native, options);
+  return { native.box(), options.baseCubes };
+}
+
+/// The corners of the six Kuhn tetrahedra of a cube: the monotone paths from (0,0,0) to (1,1,1).
+constexpr std::array<std::array<int, 3>, 6> kuhnPaths = { { { 0, 1, 2 }, { 0, 2, 1 }, { 1, 0, 2 }, { 1, 2, 0 },
+  { 2, 0, 1 }, { 2, 1, 0 } } };
+
+MaterialSet allMaterials(std::size_t count)
+{
+  MaterialSet result;
+  for (std::size_t m = 0; m < count; ++m)
+  {
+    result.insert(MaterialId(static_cast<Index>(m)));
+  }
+  return result;
+}
+
+template<typename Body>
+void parallelFor(std::size_t begin, std::size_t end, Progress& progress, const Body& body)
+{
+  tbb::parallel_for(begin, end, [&](std::size_t i) {
+    progress.check();
+    body(i);
+  });
+}
+}
+
+HierarchyBuilder::HierarchyBuilder(std::shared_ptr<const NativeData> native, const Interfaces& interfaces,
+  const BuildOptions& options, Progress& progress) :
+  native_(std::move(native)),
+  interfaces_(interfaces), vertexValues_(*native_, interfaces, options)
+{
+  hierarchy_.lattice = latticeFor(*native_, options);
+  hierarchy_.materials = native_->materials();
+  hierarchy_.fields = native_->fields();
+  hierarchy_.valuesPerMaterial = 1 + native_->componentCount();
+  makeBaseMesh();
+  fillBaseMesh(progress);
+}
+
+void HierarchyBuilder::makeBaseMesh()
+{
+  const std::array<int, 3>& cubes = hierarchy_.lattice.cubes;
+  std::map<std::array<std::int32_t, 3>, VertexId> vertexAt;
+  const MaterialSet all = allMaterials(hierarchy_.materials.size());
+  for (int k = 0; k < cubes[2]; ++k)
+  {
+    for (int j = 0; j < cubes[1]; ++j)
+    {
+      for (int i = 0; i < cubes[0]; ++i)
+      {
+        for (const std::array<int, 3>& path : kuhnPaths)
+        {
+          LatticePoint at = { { i * Lattice::cubeSize, j * Lattice::cubeSize, k * Lattice::cubeSize } };
+          std::array<VertexId, 4> corners;
+          for (std::size_t step = 0; step < 4; ++step)
+          {
+            VertexId& vertex = vertexAt[at.at];
+            vertex = vertex.valid() ? vertex : addVertex(at, all);
+            corners[step] = vertex;
+            if (step < 3)
+            {
+              at[path[step]] += Lattice::cubeSize;
+            }
+          }
+          joinDiamond(addCell(corners, 3, 0));
+        }
+      }
+    }
+  }
+  hierarchy_.rootCount = static_cast<Index>(hierarchy_.cells.size());
+}
+
+void HierarchyBuilder::fillBaseMesh(Progress& progress)
+{
+  growCellArrays();
+  evaluateVertices(0, progress);
+  std::vector<std::uint32_t> ids;
+  CellElements all;
+  constexpr SampleIndex blockSize = 65536;
+  std::vector<SampleIndex> block(blockSize);
+  std::vector<MaterialSet> sets(blockSize);
+  for (Index begin = 0; begin < static_cast<Index>(native_->sampleCount()); begin += blockSize)
+  {
+    const Index count = std::min<Index>(blockSize, native_->sampleCount() - begin);
+    std::iota(block.begin(), block.end(), static_cast<SampleIndex>(begin));
+    native_->materialsAt(block.data(), count, sets.data());
+    for (Index i = 0; i < count; ++i)
+    {
+      if (!sets[static_cast<std::size_t>(i)].empty())
+      {
+        ids.push_back(block[static_cast<std::size_t>(i)]);
+      }
+    }
+    progress.check();
+  }
+  all.sampleEnd = static_cast<std::uint32_t>(ids.size());
+  ids.resize(ids.size() + interfaces_.points.size());
+  all.vertexEnd = static_cast<std::uint32_t>(ids.size());
+  std::iota(ids.begin() + all.sampleEnd, ids.end(), 0u);
+  ids.resize(ids.size() + interfaces_.triangles.size());
+  all.triangleEnd = static_cast<std::uint32_t>(ids.size());
+  std::iota(ids.begin() + all.vertexEnd, ids.end(), 0u);
+  all.ids.reset(new std::uint32_t[ids.size()]);
+  std::copy(ids.begin(), ids.end(), all.ids.get());
+  const MaterialSet materials = allMaterials(hierarchy_.materials.size());
+  parallelFor(0, hierarchy_.cells.size(), progress,
+    [&](std::size_t c) { finishCell(CellId(static_cast<Index>(c)), all, materials); });
+}
+
+CellId HierarchyBuilder::addCell(const std::array<VertexId, 4>& corners, std::uint8_t tag, std::uint8_t level)
+{
+  HierarchyCell cell;
+  cell.corners = corners;
+  cell.tag = tag;
+  cell.level = level;
+  hierarchy_.cells.push_back(cell);
+  return CellId(static_cast<Index>(hierarchy_.cells.size()) - 1);
+}
+
+VertexId HierarchyBuilder::addVertex(const LatticePoint& point, MaterialSet materials)
+{
+  hierarchy_.vertices.push_back(point);
+  hierarchy_.vertexMaterials.push_back(materials);
+  hierarchy_.valueOffsets.push_back(static_cast<Index>(hierarchy_.values.size()));
+  const auto count = static_cast<std::size_t>(materials.size() * hierarchy_.valuesPerMaterial);
+  hierarchy_.values.resize(hierarchy_.values.size() + count);
+  return VertexId(static_cast<Index>(hierarchy_.vertices.size()) - 1);
+}
+
+void HierarchyBuilder::joinDiamond(CellId id)
+{
+  HierarchyCell& cell = hierarchy_.cells[static_cast<std::size_t>(id.value)];
+  const auto& points = hierarchy_.vertices;
+  const LatticePoint center = midpoint(points[static_cast<std::size_t>(cell.corners[0].value)],
+    points[static_cast<std::size_t>(cell.corners[cell.tag].value)]);
+  DiamondId diamond = hierarchy_.diamondAt(center);
+  if (!diamond.valid())
+  {
+    diamond = DiamondId(static_cast<Index>(hierarchy_.diamonds.size()));
+    hierarchy_.diamonds.push_back({ center, CellId(), VertexId() });
+    hierarchy_.table.insert(diamond, hierarchy_.diamonds);
+  }
+  cell.diamond = diamond;
+  CellId& first = hierarchy_.diamonds[static_cast<std::size_t>(diamond.value)].firstCell;
+  cell.nextInDiamond = first;
+  first = id;
+}
+
+MaterialSet HierarchyBuilder::materialsAround(DiamondId diamond) const
+{
+  MaterialSet result;
+  hierarchy_.forCellsOf(diamond, [&](CellId c) { result = result | hierarchy_.materialsOf(c); });
+  return result;
+}
+
+void HierarchyBuilder::addChildren(CellId parent, VertexId middle)
+{
+  const HierarchyCell cell = hierarchy_.cell(parent);
+  const std::size_t t = cell.tag;
+  std::array<VertexId, 4> first = cell.corners;
+  first[t] = middle;
+  std::array<VertexId, 4> second = cell.corners;
+  std::copy(cell.corners.begin() + 1, cell.corners.begin() + 1 + static_cast<std::ptrdiff_t>(t), second.begin());
+  second[t] = middle;
+  const auto tag = static_cast<std::uint8_t>(t == 1 ? 3 : t - 1);
+  const auto level = static_cast<std::uint8_t>(cell.level + 1);
+  const CellId child = addCell(first, tag, level);
+  addCell(second, tag, level);
+  hierarchy_.cells[static_cast<std::size_t>(parent.value)].firstChild = child;
+}
+
+void HierarchyBuilder::growCellArrays()
+{
+  const std::size_t count = hierarchy_.cells.size();
+  elements_.resize(count);
+  hierarchy_.cellMaterials.resize(count);
+  hierarchy_.interfaceErrors.resize(count);
+  hierarchy_.fieldErrors.resize(count * hierarchy_.fields.size());
+}
+
+void HierarchyBuilder::evaluateVertices(std::size_t first, Progress& progress)
+{
+  parallelFor(first, hierarchy_.vertices.size(), progress, [&](std::size_t v) {
+    vertexValues_.evaluate(hierarchy_.lattice.position(hierarchy_.vertices[v]), hierarchy_.vertexMaterials[v],
+      hierarchy_.values.data() + hierarchy_.valueOffsets[v]);
+  });
+}
+
+std::array<Vector, 4> HierarchyBuilder::cornerPositions(CellId cell) const
+{
+  const std::array<VertexId, 4>& corners = hierarchy_.cell(cell).corners;
+  return { hierarchy_.position(corners[0]), hierarchy_.position(corners[1]), hierarchy_.position(corners[2]),
+    hierarchy_.position(corners[3]) };
+}
+
+MaterialSet HierarchyBuilder::materialsHeld(CellId cell, const CellElements& elements, MaterialSet allowed) const
+{
+  MaterialSet result;
+  for (std::uint32_t i = 0; i < elements.triangleCount(); ++i)
+  {
+    result = result | interfaces_.materialsOfTriangle(elements.triangles()[i]);
+  }
+  for (std::uint32_t i = 0; i < elements.vertexCount(); ++i)
+  {
+    result = result | interfaces_.materialsOfVertex(elements.vertices()[i]);
+  }
+  if (result.empty())
+  {
+    // No interface: one material fills the cell, the one that is nearest to all corners.
+    MaterialId nearest;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const MaterialId m : allowed)
+    {
+      double sum = 0.0;
+      for (const VertexId corner : hierarchy_.cell(cell).corners)
+      {
+        sum += static_cast<double>(*hierarchy_.valuesOf(corner, m));
+      }
+      nearest = sum < smallest ? m : nearest;
+      smallest = std::min(smallest, sum);
+    }
+    result.insert(nearest);
+  }
+  // All samples of a pure parent are of its one material.
+  if (allowed != result)
+  {
+    constexpr Index blockSize = 256;
+    std::array<MaterialSet, blockSize> sets;
+    for (Index begin = 0; begin < elements.sampleCount(); begin += blockSize)
+    {
+      const Index count = std::min<Index>(blockSize, elements.sampleCount() - begin);
+      native_->materialsAt(elements.samples() + begin, count, sets.data());
+      for (Index i = 0; i < count; ++i)
+      {
+        result = result | sets[static_cast<std::size_t>(i)];
+      }
+    }
+  }
+  return result;
+}
+
+void HierarchyBuilder::finishCell(CellId id, const CellElements& candidates, MaterialSet allowed)
+{
+  const auto c = static_cast<std::size_t>(id.value);
+  const Barycentric barycentric(cornerPositions(id));
+  elements_[c] = elementsWithin(barycentric, candidates, *native_, interfaces_);
+  hierarchy_.cellMaterials[c] = materialsHeld(id, elements_[c], allowed);
+  const CellErrors errors = cellErrors(hierarchy_, id, barycentric, elements_[c], *native_, interfaces_);
+  hierarchy_.interfaceErrors[c] = errors.interfaceError;
+  std::copy(errors.fieldErrors.begin(), errors.fieldErrors.end(),
+    hierarchy_.fieldErrors.begin() + static_cast<std::ptrdiff_t>(c * hierarchy_.fields.size()));
+}
+
+void HierarchyBuilder::split(const std::vector<DiamondId>& diamonds, Progress& progress)
+{
+  const std::size_t firstVertex = hierarchy_.vertices.size();
+  const std::size_t firstCell = hierarchy_.cells.size();
+  std::vector<CellId> parents;
+  for (const DiamondId id : diamonds)
+  {
+    Diamond& diamond = hierarchy_.diamonds[static_cast<std::size_t>(id.value)];
+    diamond.vertex = addVertex(diamond.center, materialsAround(id));
+    hierarchy_.forCellsOf(id, [&](CellId c) { parents.push_back(c); });
+  }
+  evaluateVertices(firstVertex, progress);
+  for (const CellId parent : parents)
+  {
+    addChildren(parent, hierarchy_.diamond(hierarchy_.cell(parent).diamond).vertex);
+  }
+  growCellArrays();
+  parallelFor(0, parents.size(), progress, [&](std::size_t i) {
+    CellElements& own = elements_[static_cast<std::size_t>(parents[i].value)];
+    const MaterialSet materials = hierarchy_.materialsOf(parents[i]);
+    const CellId child = hierarchy_.cell(parents[i]).firstChild;
+    finishCell(child, own, materials);
+    finishCell(CellId(child.value + 1), own, materials);
+    own = CellElements();
+  });
+  for (std::size_t c = firstCell; c < hierarchy_.cells.size(); ++c)
+  {
+    joinDiamond(CellId(static_cast<Index>(c)));
+  }
+}
+}

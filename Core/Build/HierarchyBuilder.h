@@ -1,0 +1,46 @@
+#pragma once
+
+#include "Build/CellElements.h"
+#include "Build/VertexValues.h"
+#include "Model/Hierarchy.h"
+#include "Model/Progress.h"
+
+namespace strata
+{
+/// Grows a hierarchy from the base mesh down, diamond by diamond, from native data and interfaces (design 3.2).
+///
+/// Every cell that nothing has split yet keeps its native elements, so that growth can go on at any time without
+/// a look at the whole input. The same diamonds give the same hierarchy but for the order of its arrays.
+class HierarchyBuilder
+{
+public:
+  /// Makes the base mesh. Throws InvalidInput for a box without volume and too many materials or base cubes.
+  HierarchyBuilder(std::shared_ptr<const NativeData> native, const Interfaces& interfaces, const BuildOptions& options,
+    Progress& progress);
+
+  const Hierarchy& hierarchy() const { return hierarchy_; }
+
+  /// Splits diamonds all of whose parents are split and that are not split themselves.
+  void split(const std::vector<DiamondId>& diamonds, Progress& progress);
+
+private:
+  void makeBaseMesh();
+  void fillBaseMesh(Progress& progress);
+  CellId addCell(const std::array<VertexId, 4>& corners, std::uint8_t tag, std::uint8_t level);
+  VertexId addVertex(const LatticePoint& point, MaterialSet materials);
+  MaterialSet materialsAround(DiamondId diamond) const;
+  void joinDiamond(CellId cell);
+  void addChildren(CellId parent, VertexId middle);
+  void evaluateVertices(std::size_t first, Progress& progress);
+  void finishCell(CellId cell, const CellElements& candidates, MaterialSet allowed);
+  MaterialSet materialsHeld(CellId cell, const CellElements& elements, MaterialSet allowed) const;
+  std::array<Vector, 4> cornerPositions(CellId cell) const;
+  void growCellArrays();
+
+  std::shared_ptr<const NativeData> native_;
+  InterfaceElements interfaces_;
+  VertexValues vertexValues_;
+  Hierarchy hierarchy_;
+  std::vector<CellElements> elements_; ///< one per cell; empty once the cell is split
+};
+}

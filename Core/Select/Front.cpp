@@ -1,0 +1,92 @@
+#include "Select/Front.h"
+
+#include <algorithm>
+
+namespace strata
+{
+Front::Front(const Hierarchy& hierarchy) : cellCount_(hierarchy.rootCount)
+{
+  for (Index c = 0; c < hierarchy.rootCount; ++c)
+  {
+    pending_.push_back(CellId(c));
+  }
+}
+
+bool Front::activate(const Hierarchy& hierarchy, const LatticePoint& center)
+{
+  const DiamondId id = hierarchy.diamondAt(center);
+  if (id.valid() && active_[static_cast<std::size_t>(id.value)] != inactive)
+  {
+    return isActive(id);
+  }
+  bool parentsActive = true;
+  for (const LatticePoint& parent : hierarchy.lattice.parents(center))
+  {
+    parentsActive = activate(hierarchy, parent) && parentsActive;
+  }
+  if (!parentsActive)
+  {
+    return false;
+  }
+  if (!hierarchy.isSplit(id))
+  {
+    active_[static_cast<std::size_t>(id.value)] = missing;
+    missing_.push_back(id);
+    return false;
+  }
+  active_[static_cast<std::size_t>(id.value)] = active;
+  hierarchy.forCellsOf(id, [&](CellId c) {
+    const CellId child = hierarchy.cell(c).firstChild;
+    pending_.push_back(child);
+    pending_.push_back(CellId(child.value + 1));
+    ++cellCount_;
+  });
+  return true;
+}
+
+std::vector<DiamondId> Front::advance(
+  const Hierarchy& hierarchy, const Criterion& criterion, double scale, Index maximumNumberOfCells)
+{
+  active_.resize(hierarchy.diamonds.size(), inactive);
+  for (const DiamondId id : missing_)
+  {
+    active_[static_cast<std::size_t>(id.value)] = inactive;
+  }
+  missing_.clear();
+  pending_.insert(pending_.end(), waiting_.begin(), waiting_.end());
+  waiting_.clear();
+  if (pending_.empty())
+  {
+    pending_.swap(resting_);
+  }
+  while (!pending_.empty() && cellCount_ <= maximumNumberOfCells)
+  {
+    const CellId c = pending_.back();
+    pending_.pop_back();
+    const DiamondId diamond = hierarchy.cell(c).diamond;
+    if (isActive(diamond))
+    {
+      continue;
+    }
+    if (!criterion.mustSplit(hierarchy, c, scale))
+    {
+      resting_.push_back(c);
+    }
+    else if (!activate(hierarchy, hierarchy.diamond(diamond).center))
+    {
+      waiting_.push_back(c);
+    }
+  }
+  return missing_;
+}
+
+Level Front::level(const Hierarchy& hierarchy) const
+{
+  Level level;
+  level.cellCount = cellCount_;
+  level.active.resize(hierarchy.diamonds.size(), 0);
+  std::transform(active_.begin(), active_.end(), level.active.begin(),
+    [](std::uint8_t state) { return static_cast<std::uint8_t>(state == active ? 1 : 0); });
+  return level;
+}
+}

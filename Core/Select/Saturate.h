@@ -1,0 +1,13 @@
+#pragma once
+
+#include "Model/Level.h"
+#include "Select/SelectOptions.h"
+
+namespace strata
+{
+/// Selects by errors that never grow from a diamond to its descendants, within the diamonds of `finest`:
+/// saturated, a diamond's error is the largest over its cells and all its descendants; accumulated, a cell's is
+/// its children's largest plus the change at its split vertex (the paper's equation 1), then saturated over the
+/// diamonds. Cost proportional to the cells of `finest`.
+Level selectSaturated(const Hierarchy& hierarchy, const Level& finest, const ErrorBounds& bounds, bool accumulate);
+}
