@@ -1,0 +1,56 @@
+#include "Extract/GridTopology.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace strata
+{
+double sixfoldVolume(const std::vector<Vector>& corners, const Vector& apex)
+{
+  const std::size_t n = corners.size();
+  Vector center = Vector::Zero();
+  for (const Vector& corner : corners)
+  {
+    center += corner;
+  }
+  center = center / static_cast<double>(n) - apex;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    sum += center.dot((corners[i] - apex).cross(corners[(i + 1) % n] - apex));
+  }
+  return sum;
+}
+
+double GridTopology::volume(Index cell) const
+{
+  CellFaces cellFaces;
+  faces(cell, cellFaces);
+  std::vector<Index> ids;
+  corners(cell, ids);
+  Vector center = Vector::Zero();
+  for (Index id : ids)
+  {
+    center += point(id);
+  }
+  center /= static_cast<double>(ids.size());
+  double sum = 0.0;
+  std::vector<Vector> face;
+  for (std::int32_t f = 0; f < cellFaces.count(); ++f)
+  {
+    face.clear();
+    for (std::int32_t i = cellFaces.start[f]; i < cellFaces.start[f + 1]; ++i)
+    {
+      face.push_back(point(cellFaces.corners[i]));
+    }
+    sum += std::abs(sixfoldVolume(face, center));
+  }
+  return sum / 6.0;
+}
+
+std::unique_ptr<GridTopology> makeGridTopology(const Grid& grid)
+{
+  return std::visit([](const auto& g) { return makeGridTopology(g); }, grid);
+}
+}

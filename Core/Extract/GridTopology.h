@@ -1,0 +1,56 @@
+#pragma once
+
+#include "Geometry/Vector.h"
+#include "Model/Grid.h"
+
+#include <memory>
+#include <vector>
+
+namespace strata
+{
+/// The faces of one cell. Face f has the corners corners[start[f]] .. corners[start[f + 1]], in cyclic order.
+struct CellFaces
+{
+  std::vector<Index> corners;
+  std::vector<std::int32_t> start{ 0 };
+  /// The visible cell on the other side of each face; -1 where there is none.
+  std::vector<Index> neighbours;
+
+  std::int32_t count() const { return static_cast<std::int32_t>(neighbours.size()); }
+  void clear()
+  {
+    corners.clear();
+    start.assign(1, 0);
+    neighbours.clear();
+  }
+};
+
+/// Cells, faces and points of a native grid, asked one cell at a time so that nothing is stored per face.
+/// Hidden cells take no part: they are nobody's neighbour. All functions may be called from several threads.
+class GridTopology
+{
+public:
+  virtual ~GridTopology() = default;
+
+  virtual Index cellCount() const = 0;
+  virtual Index pointCount() const = 0;
+  virtual bool hidden(Index cell) const = 0;
+  virtual Vector point(Index point) const = 0;
+  /// The corner points of a cell.
+  virtual void corners(Index cell, std::vector<Index>& result) const = 0;
+  virtual void faces(Index cell, CellFaces& result) const = 0;
+  /// The visible cells that have a point as a corner, ascending.
+  virtual void cellsAround(Index point, std::vector<Index>& result) const = 0;
+  /// Volume of the polyhedron bounded by the cell's faces, each a fan about its centre.
+  virtual double volume(Index cell) const;
+};
+
+/// The topology of a grid, which must outlive it.
+std::unique_ptr<GridTopology> makeGridTopology(const Grid& grid);
+std::unique_ptr<GridTopology> makeGridTopology(const RectilinearGrid& grid);
+std::unique_ptr<GridTopology> makeGridTopology(const UnstructuredGrid& grid);
+
+/// Sum over a fan of triangles about a face's centre of six times the volume that each spans with `apex`.
+/// Positive where the corners run counter-clockwise as seen from the side that is not the apex'.
+double sixfoldVolume(const std::vector<Vector>& corners, const Vector& apex);
+}
