@@ -62,19 +62,22 @@ public:
 private:
   struct NamedPoint
   {
-    SymbolicVertex name;
+    std::uint8_t corners;
+    std::uint64_t tied;
     int point;
   };
 
   void sortCorners(const std::array<std::int64_t, 4>& vertices);
   void addFunctions(const CornerValues* functions, int count);
   void addRegion(int function);
-  void addFace(int function, int label, const int* begin, const int* end);
+  void addFace(int function, const SymbolicPolyhedron::Face& face);
   int pointOf(const SymbolicVertex& vertex, int function);
 
   FunctionTies ties_;
   SymbolicPolyhedron region_;
-  std::array<int, 4> order_{}; ///< position of the sorted corner among the given ones
+  std::vector<int> signs_;         ///< of a function at the region's vertices
+  std::vector<int> pointOfVertex_; ///< of the region
+  std::array<int, 4> order_{};     ///< position of the sorted corner among the given ones
   bool reversed_ = false;
   std::vector<int> candidates_;
   std::vector<int> winners_;

@@ -34,8 +34,8 @@ public:
   int sign(unsigned corners, std::uint64_t tied, int candidate) const;
   /// The point by its canonical name: carried by the fewest vertices, whatever corners span it.
   /// `candidates` are the functions that may win somewhere. `coordinates` receives its barycentric coordinates.
-  CutPoint point(unsigned corners, std::uint64_t tied, std::uint64_t candidates,
-    std::array<double, 4>& coordinates) const;
+  CutPoint point(
+    unsigned corners, std::uint64_t tied, std::uint64_t candidates, std::array<double, 4>& coordinates) const;
 
 private:
   /// Row of a function (its values, 1), of the plane (its values, 0) or of the constant one (1 ... 1, 0).

@@ -52,7 +52,7 @@ int SymbolicPolyhedron::crossing(int a, int b, int function)
       return static_cast<int>(i);
     }
   }
-  crossings_.push_back({ from, to, static_cast<int>(clippedVertices_.size()) });
+  crossings_.push_back({ from, to, static_cast<int>(clippedVertices_.size()), 0 });
   clippedVertices_.push_back(SymbolicVertex::between(vertices_[from], vertices_[to], function));
   return static_cast<int>(crossings_.size()) - 1;
 }
