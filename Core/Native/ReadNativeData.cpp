@@ -1,6 +1,9 @@
 #include "Native/ReadNativeData.h"
 
 #include "Native/RectilinearData.h"
+#include "Native/UnstructuredData.h"
+
+#include <algorithm>
 
 namespace strata
 {
@@ -88,23 +91,46 @@ void checkGrid(const RectilinearGrid& grid)
       }
     }
   }
+}
+
+void checkGrid(const UnstructuredGrid& grid)
+{
+  if (grid.shapes.empty())
+  {
+    throw InvalidInput("the grid has no cells");
+  }
+  checkCount(grid.cornerOffsets.size(), grid.shapes.size() + 1, "offsets of the cells' corners");
+  const auto wrong = std::find_if(
+    grid.corners.begin(), grid.corners.end(), [&](Index point) { return point < 0 || point >= grid.pointCount(); });
+  if (wrong != grid.corners.end())
+  {
+    throw InvalidInput("a cell has the corner " + std::to_string(*wrong) + "; the grid has " +
+                       std::to_string(grid.pointCount()) + " points");
+  }
+}
+
+/// Checks a grid's hidden cells too.
+template<typename AnyGrid>
+void checkSimulation(const AnyGrid& grid, const Simulation& simulation)
+{
+  checkGrid(grid);
   if (!grid.hidden.empty())
   {
     checkCount(grid.hidden.size(), static_cast<std::size_t>(grid.cellCount()), "marks of hidden cells");
   }
+  checkMaterials(simulation);
+  checkFields(simulation);
 }
 }
 
 std::unique_ptr<NativeData> readNativeData(
   const Simulation& simulation, const NativeOptions& options, Progress& progress)
 {
-  if (const auto* grid = std::get_if<RectilinearGrid>(&simulation.grid))
+  std::visit([&](const auto& grid) { checkSimulation(grid, simulation); }, simulation.grid);
+  if (std::holds_alternative<RectilinearGrid>(simulation.grid))
   {
-    checkGrid(*grid);
-    checkMaterials(simulation);
-    checkFields(simulation);
     return std::make_unique<RectilinearData>(simulation, options, progress);
   }
-  throw InvalidInput("unstructured grids can't be read");
+  return std::make_unique<UnstructuredData>(simulation, options, progress);
 }
 }
