@@ -152,7 +152,10 @@ Level Multiresolution::State::selectDirect(const SelectOptions& select, Progress
     Front finer = fitting;
     grow(finer, criterion, scale, select.maximumNumberOfCells, progress);
     const bool enough = finer.cellCount() <= select.maximumNumberOfCells;
-    fitting = enough ? std::move(finer) : std::move(fitting);
+    if (enough)
+    {
+      fitting = std::move(finer);
+    }
     return enough;
   };
   const bool limited = !fits(1.0);
@@ -187,12 +190,6 @@ Level Multiresolution::State::selectWithinFinest(const SelectOptions& select, Pr
 
 Level Multiresolution::State::select(const SelectOptions& select, Progress& progress)
 {
-  checkBounds(select.bounds, native->fields());
-  if (select.maximumNumberOfCells < hierarchy().rootCount)
-  {
-    throw InvalidInput("the maximum number of cells is " + std::to_string(select.maximumNumberOfCells) +
-                       "; the base mesh alone has " + std::to_string(hierarchy().rootCount));
-  }
   switch (select.errorMethod)
   {
     case ErrorMethod::Direct:
