@@ -1,5 +1,5 @@
-# Warnings for our own targets; errors when STRATA_WERROR is on, as in CI.
-option(STRATA_WERROR "Treat warnings in Strata's own code as errors" ON)
+# Warnings for our own targets; errors where Strata is built by itself.
+option(STRATA_WERROR "Treat warnings in Strata's own code as errors" ${PROJECT_IS_TOP_LEVEL})
 set(STRATA_WARNINGS -Wall -Wextra -Wpedantic -Wshadow)
 if (STRATA_WERROR)
   list(APPEND STRATA_WARNINGS -Werror)

@@ -21,6 +21,14 @@ paraview_plugin_build(
 install(FILES "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/strata.plugins.xml"
   DESTINATION "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}" COMPONENT paraview_plugins)
 
+# Every program of ParaView loads what it finds in the folder `plugins` beside it.
+set(installed_plugin "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/Strata")
+file(RELATIVE_PATH link_target "/${CMAKE_INSTALL_BINDIR}/plugins" "/${installed_plugin}")
+file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/plugins")
+file(CREATE_LINK "${link_target}" "${CMAKE_BINARY_DIR}/plugins/Strata" SYMBOLIC)
+install(FILES "${CMAKE_BINARY_DIR}/plugins/Strata" DESTINATION "${CMAKE_INSTALL_BINDIR}/plugins"
+  COMPONENT paraview_plugins)
+
 if (STRATA_PYTHON)
   set(STRATA_PYTHON_DESTINATION "lib/python3/dist-packages")
   vtk_module_wrap_python(
@@ -28,7 +36,7 @@ if (STRATA_PYTHON)
     TARGET              Strata::python
     PYTHON_PACKAGE      strata
     MODULE_DESTINATION  "${STRATA_PYTHON_DESTINATION}"
-    LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/Strata" # becomes the run path
+    LIBRARY_DESTINATION "${installed_plugin}" # becomes the run path
     INSTALL_HEADERS     OFF
     COMPONENT           python
     BUILD_PYI_FILES     OFF)
