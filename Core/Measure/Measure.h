@@ -36,25 +36,34 @@ struct TriangleSoup
 HausdorffDistance hausdorffDistance(
   const TriangleSoup& original, const TriangleSoup& represented, double tolerance, Progress& progress);
 
-/// Error of a material's field over its native samples.
+/// Error of a material's field over its native samples: the length of native minus represented value, the latter being
+/// the material's linear function in the cell that holds the sample.
 struct FieldErrorReport
 {
   FieldId field;
   MaterialId material;
-  Index samples = 0;
-  double largest = 0.0;
-  double mean = 0.0;
+  Index samples = 0; ///< those that count for the material and at which the field is known
+  /// Samples that no cell holds with the material's values at all its vertices. Each is an infinite error.
+  Index missing = 0;
+  double largest = 0.0; ///< infinite if any sample is missing
+  double mean = 0.0;    ///< this and the next: over the samples that aren't missing
   double rootMeanSquare = 0.0;
   Vector where = Vector::Zero(); ///< the sample with the largest error
 };
 
+/// Error of the interface between a pair of materials that touch in the original or in the representation.
 struct InterfaceErrorReport
 {
   MaterialId positive;
   MaterialId negative;
   HausdorffDistance distance;
-  /// Largest distance of an interface vertex to the plane of its cell: what point bounds claim.
+  Index vertices = 0; ///< of the original interface
+  /// Vertices in a cell that lacks one of the materials, or outside all cells. Each is an infinite error.
+  Index missing = 0;
+  /// Largest distance of an interface vertex to the plane of its cell: what point bounds claim. On a face between cells
+  /// the closer of their planes counts.
   double largestVertexError = 0.0;
+  Vector where = Vector::Zero(); ///< the vertex with the largest error
 };
 
 struct VolumeErrorReport
@@ -66,11 +75,33 @@ struct VolumeErrorReport
   double originalMass = 0.0;
 };
 
+/// What the original holds, from its volume fractions.
+struct OriginalVolumes
+{
+  std::vector<double> volumes; ///< one per material
+  std::vector<double> masses;  ///< one per material, NaN where it has no density; empty if there is none at all
+};
+
 struct RepresentationErrors
 {
-  std::vector<FieldErrorReport> fields;
-  std::vector<InterfaceErrorReport> interfaces;
-  std::vector<VolumeErrorReport> volumes;
+  std::vector<FieldErrorReport> fields;         ///< ordered by field, then material
+  std::vector<InterfaceErrorReport> interfaces; ///< ordered by the lower, then the higher material
+  std::vector<VolumeErrorReport> volumes;       ///< one per material
+  /// Volume in which the represented material is not the one on this side of the original interfaces: an estimate from
+  /// stratified samples, and its standard error.
   double misclassifiedVolume = 0.0;
+  double misclassifiedVolumeError = 0.0;
 };
+
+/// Width to which Hausdorff intervals close, in units of the diagonal of the box.
+inline constexpr double defaultHausdorffTolerance = 1e-3;
+
+/// Measures a representation against the data it stands for, from the emitted values alone: errors of the fields over
+/// all native samples, of the interfaces both ways, of the volumes and masses of the materials.
+///
+/// Fields are matched by name. Throws InvalidInput if the materials differ, if an array is missing or too short, or if
+/// the tolerance is not positive. See Documentation/algorithm/Measure.md.
+RepresentationErrors measureRepresentation(const Representation& representation, const NativeData& native,
+  const Interfaces& original, const OriginalVolumes& volumes, Progress& progress,
+  double hausdorffTolerance = defaultHausdorffTolerance);
 }

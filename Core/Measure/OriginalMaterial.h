@@ -1,0 +1,45 @@
+#pragma once
+
+#include "Geometry/TriangleTree.h"
+#include "Model/Interfaces.h"
+
+#include <vector>
+
+namespace strata
+{
+/// Tells on which side of the original interfaces a point lies: in the material on the near side of the closest
+/// interface triangle. Where the closest point lies on an edge or corner, the one of its triangles decides that faces
+/// the point most squarely.
+class OriginalMaterial
+{
+public:
+  struct Answer
+  {
+    MaterialId material;
+    double distance = 0.0; ///< to the closest interface: within it, the material is the same everywhere
+  };
+
+  /// `withoutInterfaces` is the answer where there are no interfaces at all. The interfaces must outlive the object.
+  OriginalMaterial(const Interfaces& interfaces, MaterialId withoutInterfaces);
+
+  Answer at(const Vector& p) const;
+
+private:
+  struct Side
+  {
+    MaterialId positive;
+    MaterialId negative;
+    std::array<std::int32_t, 3> corners; ///< points of the interfaces
+  };
+
+  void gatherCandidates(const TriangleTree::Hit& hit, std::vector<std::int32_t>& candidates) const;
+
+  const Interfaces& interfaces_;
+  MaterialId withoutInterfaces_;
+  std::vector<Side> sides_; ///< of the tree's triangles
+  /// Triangles round interface point i: around_[aroundStart_[i]] .. around_[aroundStart_[i + 1]].
+  std::vector<std::int32_t> around_;
+  std::vector<std::int32_t> aroundStart_;
+  TriangleTree tree_;
+};
+}
