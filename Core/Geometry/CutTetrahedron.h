@@ -1,7 +1,6 @@
 #pragma once
 
-#include "Geometry/CutPoint.h"
-#include "Geometry/FunctionTies.h"
+#include "Geometry/CutPoints.h"
 #include "Geometry/SymbolicPolyhedron.h"
 
 #include <array>
@@ -10,14 +9,6 @@
 
 namespace strata
 {
-/// A linear function on a tetrahedron: its id, 0 to 63, and its values at the corners, in their order.
-/// Values are finite, below 1e60 in size; below 1e-60 they count as 0.
-struct CornerValues
-{
-  int function = 0;
-  std::array<double, 4> values{};
-};
-
 /// A tetrahedron cut into the convex regions where each of several linear functions is the smallest
 /// (design 3.8). Ties go to the lowest id: function m counts as lowered by an infinitesimal e^(m+1). Every
 /// decision is the exact sign of a determinant of corner values, so tetrahedra that share a face cut it
@@ -48,43 +39,29 @@ public:
   /// The functions that have a region, by ascending id.
   const std::vector<int>& winners() const { return winners_; }
   /// The faces of all regions, grouped by function, ascending. Each interface appears twice, once for either side.
+  /// A region may have no volume: a lens between two equal faces where functions tie on a whole face.
   const std::vector<Face>& faces() const { return faces_; }
   const std::vector<int>& loops() const { return loops_; }
   /// Every point once.
-  const std::vector<CutPoint>& points() const { return points_; }
+  const std::vector<CutPoint>& points() const { return points_.points(); }
   /// Barycentric coordinates of each point with respect to the corners by ascending id.
-  const std::vector<std::array<double, 4>>& coordinates() const { return coordinates_; }
+  const std::vector<std::array<double, 4>>& coordinates() const { return points_.coordinates(); }
   /// The corners by ascending id.
-  const std::array<std::int64_t, 4>& sortedVertices() const { return ties_.vertices(); }
+  const std::array<std::int64_t, 4>& sortedVertices() const { return points_.sortedVertices(); }
   /// True where putting the corners into ascending order turns the orientation round.
-  bool reversed() const { return reversed_; }
+  bool reversed() const { return points_.reversed(); }
 
 private:
-  struct NamedPoint
-  {
-    std::uint8_t corners;
-    std::uint64_t tied;
-    int point;
-  };
-
-  void sortCorners(const std::array<std::int64_t, 4>& vertices);
-  void addFunctions(const CornerValues* functions, int count);
   void addRegion(int function);
   void addFace(int function, const SymbolicPolyhedron::Face& face);
-  int pointOf(const SymbolicVertex& vertex, int function);
 
-  FunctionTies ties_;
+  CutPoints points_;
   SymbolicPolyhedron region_;
   std::vector<int> signs_;         ///< of a function at the region's vertices
   std::vector<int> pointOfVertex_; ///< of the region
-  std::array<int, 4> order_{};     ///< position of the sorted corner among the given ones
-  bool reversed_ = false;
-  std::vector<int> candidates_;
+  std::vector<int> loop_;
   std::vector<int> winners_;
   std::vector<Face> faces_;
   std::vector<int> loops_;
-  std::vector<CutPoint> points_;
-  std::vector<std::array<double, 4>> coordinates_;
-  std::vector<NamedPoint> named_;
 };
 }

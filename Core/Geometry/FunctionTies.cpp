@@ -288,11 +288,33 @@ bool FunctionTies::ties(unsigned corners, std::uint64_t tied, int candidate) con
   return signOf(tie.matrix) == 0;
 }
 
+void FunctionTies::edgeWeights(bool inPlane, unsigned corners, std::uint64_t tied, std::array<double, 4>& result) const
+{
+  const int a = __builtin_ctz(corners);
+  const int b = 31 - __builtin_clz(corners);
+  if (a == b)
+  {
+    result[a] = 1.0;
+    return;
+  }
+  const int lower = __builtin_ctzll(tied);
+  const int higher = 63 - __builtin_clzll(tied);
+  const double atA = inPlane ? plane_[a] : values_[lower][a] - values_[higher][a];
+  const double atB = inPlane ? plane_[b] : values_[lower][b] - values_[higher][b];
+  result[a] = std::abs(atB / (atB - atA));
+  result[b] = std::abs(atA / (atB - atA));
+}
+
 void FunctionTies::weights(bool inPlane, unsigned corners, std::uint64_t tied, std::array<double, 4>& result) const
 {
-  const System tie = system(corners, tied, inPlane);
   result = {};
   double sum = 0.0;
+  if (__builtin_popcount(corners) <= 2)
+  {
+    edgeWeights(inPlane, corners, tied, result);
+    return;
+  }
+  const System tie = system(corners, tied, inPlane);
   for (int omitted = 0; omitted < tie.cornerCount; ++omitted)
   {
     SmallMatrix minor;

@@ -46,6 +46,7 @@ private:
   int perturbedSign(const System& system, int candidate) const;
   int signIn(bool inPlane, unsigned corners, std::uint64_t tied, int candidate) const;
   bool ties(unsigned corners, std::uint64_t tied, int candidate) const;
+  void edgeWeights(bool inPlane, unsigned corners, std::uint64_t tied, std::array<double, 4>& result) const;
   void weights(bool inPlane, unsigned corners, std::uint64_t tied, std::array<double, 4>& result) const;
   std::uint64_t canonicalTie(bool inPlane, unsigned corners, std::uint64_t tied, int size) const;
 

@@ -1,29 +1,11 @@
 #pragma once
 
-#include <cstdint>
+#include "Geometry/CutPoints.h"
+
 #include <vector>
 
 namespace strata
 {
-/// A vertex of a region of one function m, named by what it lies on: the corners that span it, and the
-/// functions other than m that tie with m there. Spanned by n corners, it ties with n - 1 others (one less
-/// within a plane).
-struct SymbolicVertex
-{
-  std::uint8_t corners = 0;
-  std::uint64_t others = 0;
-
-  friend bool operator==(const SymbolicVertex& a, const SymbolicVertex& b)
-  {
-    return a.corners == b.corners && a.others == b.others;
-  }
-  /// The vertex where the edge from a to b meets the region of one more function.
-  static SymbolicVertex between(const SymbolicVertex& a, const SymbolicVertex& b, int function)
-  {
-    return { static_cast<std::uint8_t>(a.corners | b.corners), (a.others & b.others) | std::uint64_t{ 1 } << function };
-  }
-};
-
 /// A convex polyhedron known by the names of its vertices alone. Three faces meet in each vertex.
 class SymbolicPolyhedron
 {

@@ -69,11 +69,13 @@ inline KeyLoop loopOf(const TetrahedronCut& cut, const TetrahedronCut::Face& fac
 class EdgeBalance
 {
 public:
-  void add(const KeyLoop& loop)
+  void add(const KeyLoop& loop) { add(loop, true); }
+  /// Adds a path; `closing` tells whether its end is joined to its start.
+  void add(const KeyLoop& path, bool closing)
   {
-    for (std::size_t i = 0; i < loop.size(); ++i)
+    for (std::size_t i = 0; i + (closing ? 0 : 1) < path.size(); ++i)
     {
-      add(loop[i], loop[(i + 1) % loop.size()]);
+      add(path[i], path[(i + 1) % path.size()]);
     }
   }
   bool closed() const { return count_.empty(); }
