@@ -103,6 +103,26 @@ MaterialSet InterfaceElements::materialsOfVertex(std::uint32_t vertex) const
 
 bool meets(const Barycentric& cell, const std::array<Vector, 3>& triangle)
 {
+  // Most triangles have a corner inside, or lie beyond one face.
+  std::array<bool, 3> inside = { true, true, true };
+  for (const LinearFunction& weight : cell.weights)
+  {
+    bool beyond = true;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const bool within = weight(triangle[i]) >= -faceTolerance;
+      inside[i] = inside[i] && within;
+      beyond = beyond && !within;
+    }
+    if (beyond)
+    {
+      return false;
+    }
+  }
+  if (inside[0] || inside[1] || inside[2])
+  {
+    return true;
+  }
   Polygon polygon;
   std::copy(triangle.begin(), triangle.end(), polygon.begin());
   std::size_t count = 3;
@@ -121,7 +141,6 @@ CellElements elementsWithin(
   const Barycentric& cell, const CellElements& all, const NativeData& native, const InterfaceElements& interfaces)
 {
   std::vector<std::uint32_t> kept;
-  kept.reserve(all.triangleEnd / 2);
   CellElements result;
   keepSamples(cell, all, native, kept);
   result.sampleEnd = static_cast<std::uint32_t>(kept.size());

@@ -1,10 +1,13 @@
 #include "Build/RegionBoundary.h"
 
 #include <Eigen/Geometry>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
-#include <unordered_map>
+#include <tuple>
 
 namespace strata
 {
@@ -36,13 +39,6 @@ std::vector<Triangle> outwardTriangles(const Interfaces& interfaces, MaterialId 
   return result;
 }
 
-std::uint64_t edgeKey(std::int32_t a, std::int32_t b)
-{
-  const auto low = static_cast<std::uint64_t>(std::min(a, b));
-  const auto high = static_cast<std::uint64_t>(std::max(a, b));
-  return (high << 32) | low;
-}
-
 Vector unitNormal(const Vector& a, const Vector& b, const Vector& c)
 {
   const Vector n = (b - a).cross(c - a);
@@ -56,12 +52,6 @@ double angleAt(const Vector& corner, const Vector& b, const Vector& c)
   const Vector v = c - corner;
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
-
-struct EdgeNormal
-{
-  Vector sum = Vector::Zero();
-  int triangles = 0;
-};
 
 /// Where the surface ends at a wall of the box, its mirror image continues it: the normals of the two add up
 /// to one that lies in the wall.
@@ -83,6 +73,34 @@ void closeAtWalls(Vector& normal, const Box& box, std::initializer_list<Vector> 
     }
   }
 }
+
+/// An edge of a triangle; `edge` counts as TriangleFeature does.
+struct EdgeUse
+{
+  std::int32_t low;
+  std::int32_t high;
+  std::uint32_t triangle;
+  std::uint32_t edge;
+};
+
+/// All edges of all triangles; those that triangles share stand together.
+std::vector<EdgeUse> sortedEdgeUses(const std::vector<Triangle>& triangles)
+{
+  std::vector<EdgeUse> uses;
+  uses.reserve(3 * triangles.size());
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+  {
+    for (std::uint32_t k = 0; k < 3; ++k)
+    {
+      const auto [low, high] = std::minmax({ triangles[i][k], triangles[i][(k + 1) % 3] });
+      uses.push_back({ low, high, i, k });
+    }
+  }
+  tbb::parallel_sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
+    return std::tie(a.low, a.high, a.triangle, a.edge) < std::tie(b.low, b.high, b.triangle, b.edge);
+  });
+  return uses;
+}
 }
 
 RegionBoundary::RegionBoundary(
@@ -100,39 +118,47 @@ RegionBoundary::RegionBoundary(
 
 void RegionBoundary::makeNormals(const std::vector<Vector>& points, const std::vector<Triangle>& triangles)
 {
-  std::unordered_map<std::int32_t, Vector> ofVertex;
-  std::unordered_map<std::uint64_t, EdgeNormal> ofEdge;
+  std::vector<Vector> ofVertex(points.size(), Vector::Zero());
   for (const Triangle& t : triangles)
   {
     const Vector normal = unitNormal(points[t[0]], points[t[1]], points[t[2]]);
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const std::int32_t a = t[i];
-      const std::int32_t b = t[(i + 1) % 3];
-      const std::int32_t c = t[(i + 2) % 3];
-      ofVertex.emplace(a, Vector::Zero()).first->second += angleAt(points[a], points[b], points[c]) * normal;
-      EdgeNormal& edge = ofEdge[edgeKey(a, b)];
-      edge.sum += normal;
-      ++edge.triangles;
+      ofVertex[t[i]] += angleAt(points[t[i]], points[t[(i + 1) % 3]], points[t[(i + 2) % 3]]) * normal;
     }
   }
-  for (auto& [key, edge] : ofEdge)
+  normals_.resize(triangles.size());
+  tbb::parallel_for(std::size_t{ 0 }, triangles.size(), [&](std::size_t i) {
+    const Triangle& t = triangles[i];
+    normals_[i][6] = unitNormal(points[t[0]], points[t[1]], points[t[2]]);
+  });
+  const std::vector<EdgeUse> uses = sortedEdgeUses(triangles);
+  for (std::size_t begin = 0; begin < uses.size();)
   {
-    if (edge.triangles == 1)
+    const EdgeUse& first = uses[begin];
+    std::size_t end = begin;
+    Vector sum = Vector::Zero();
+    for (; end < uses.size() && uses[end].low == first.low && uses[end].high == first.high; ++end)
     {
-      const auto a = static_cast<std::int32_t>(key & 0xFFFFFFFFu);
-      const auto b = static_cast<std::int32_t>(key >> 32);
-      closeAtWalls(edge.sum, box_, { points[a], points[b] });
-      closeAtWalls(ofVertex.at(a), box_, { points[a] });
-      closeAtWalls(ofVertex.at(b), box_, { points[b] });
+      sum += normals_[uses[end].triangle][6];
+    }
+    if (end == begin + 1)
+    {
+      closeAtWalls(sum, box_, { points[first.low], points[first.high] });
+      closeAtWalls(ofVertex[first.low], box_, { points[first.low] });
+      closeAtWalls(ofVertex[first.high], box_, { points[first.high] });
+    }
+    for (; begin < end; ++begin)
+    {
+      normals_[uses[begin].triangle][3 + uses[begin].edge] = sum;
     }
   }
-  normals_.reserve(triangles.size());
-  for (const Triangle& t : triangles)
+  for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    normals_.push_back({ ofVertex.at(t[0]), ofVertex.at(t[1]), ofVertex.at(t[2]), ofEdge.at(edgeKey(t[0], t[1])).sum,
-      ofEdge.at(edgeKey(t[1], t[2])).sum, ofEdge.at(edgeKey(t[2], t[0])).sum,
-      unitNormal(points[t[0]], points[t[1]], points[t[2]]) });
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      normals_[i][k] = ofVertex[triangles[i][k]];
+    }
   }
 }
 

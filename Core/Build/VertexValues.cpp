@@ -1,5 +1,7 @@
 #include "Build/VertexValues.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -38,11 +40,12 @@ VertexValues::VertexValues(const NativeData& native, const Interfaces& interface
 {
   const bool anyInterface = interfaces.triangleCount() > 0;
   const MaterialId only = anyInterface ? MaterialId() : onlyMaterial(native);
-  for (std::size_t m = 0; m < native.materials().size(); ++m)
-  {
+  regions_.resize(native.materials().size());
+  tbb::parallel_for(std::size_t{ 0 }, regions_.size(), [&](std::size_t m) {
     const MaterialId material(static_cast<Index>(m));
-    regions_.emplace_back(interfaces, material, native.box(), options.distanceMethod, material == only);
-  }
+    regions_[m] =
+      std::make_unique<RegionBoundary>(interfaces, material, native.box(), options.distanceMethod, material == only);
+  });
 }
 
 void VertexValues::evaluate(const Vector& point, MaterialSet materials, float* result) const
@@ -53,7 +56,7 @@ void VertexValues::evaluate(const Vector& point, MaterialSet materials, float* r
   {
     const auto index = static_cast<std::size_t>(m.value);
     // In a cell that one material fills, there is nothing to measure.
-    const RegionPoint where = materials.size() == 1 ? RegionPoint{ true, 0.0, point } : regions_[index].locate(point);
+    const RegionPoint where = materials.size() == 1 ? RegionPoint{ true, 0.0, point } : regions_[index]->locate(point);
     *result++ = static_cast<float>(where.distance);
     if (native_.materials()[index].hasFields)
     {

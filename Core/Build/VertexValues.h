@@ -17,6 +17,6 @@ public:
 private:
   const NativeData& native_;
   GhostMethod ghostMethod_;
-  std::vector<RegionBoundary> regions_;
+  std::vector<std::unique_ptr<RegionBoundary>> regions_; ///< one per material
 };
 }

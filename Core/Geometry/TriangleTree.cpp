@@ -1,5 +1,7 @@
 #include "Geometry/TriangleTree.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -8,7 +10,14 @@ namespace strata
 namespace
 {
 constexpr std::int32_t trianglesPerLeaf = 4;
+constexpr std::int32_t trianglesPerTask = 4096;
 constexpr int deepestTree = 64;
+
+/// Nodes of the tree over so many triangles: its shape follows from their number alone.
+std::int32_t nodeCount(std::int32_t triangles)
+{
+  return triangles <= trianglesPerLeaf ? 1 : 1 + nodeCount(triangles / 2) + nodeCount(triangles - triangles / 2);
+}
 }
 
 TriangleTree::TriangleTree(std::vector<std::array<Vector, 3>> triangles) : triangles_(std::move(triangles))
@@ -19,14 +28,14 @@ TriangleTree::TriangleTree(std::vector<std::array<Vector, 3>> triangles) : trian
   std::vector<Vector> centers(triangles_.size());
   std::transform(triangles_.begin(), triangles_.end(), centers.begin(),
     [](const std::array<Vector, 3>& t) { return Vector((t[0] + t[1] + t[2]) / 3.0); });
-  nodes_.reserve(triangles_.size());
   if (count > 0)
   {
-    build(0, count, centers);
+    nodes_.resize(static_cast<std::size_t>(nodeCount(count)));
+    build(0, 0, count, centers);
   }
 }
 
-std::int32_t TriangleTree::build(std::int32_t begin, std::int32_t end, const std::vector<Vector>& centers)
+void TriangleTree::build(std::int32_t id, std::int32_t begin, std::int32_t end, const std::vector<Vector>& centers)
 {
   Box box;
   Box centerBox;
@@ -38,25 +47,32 @@ std::int32_t TriangleTree::build(std::int32_t begin, std::int32_t end, const std
     }
     centerBox.add(centers[order_[i]]);
   }
-  const auto id = static_cast<std::int32_t>(nodes_.size());
-  nodes_.push_back({ box, 0, begin, 0 });
-  if (end - begin <= trianglesPerLeaf)
+  const std::int32_t count = end - begin;
+  if (count <= trianglesPerLeaf)
   {
-    nodes_[id].count = end - begin;
-    return id;
+    nodes_[id] = { box, 0, begin, count };
+    return;
   }
   int axis = 0;
   centerBox.size().maxCoeff(&axis);
-  const std::int32_t middle = begin + (end - begin) / 2;
+  const std::int32_t middle = begin + count / 2;
   std::nth_element(
     order_.begin() + begin, order_.begin() + middle, order_.begin() + end, [&](std::int32_t a, std::int32_t b) {
       const double x = centers[a][axis];
       const double y = centers[b][axis];
       return x < y || (x == y && a < b);
     });
-  build(begin, middle, centers);
-  nodes_[id].second = build(middle, end, centers);
-  return id;
+  const std::int32_t second = id + 1 + nodeCount(count / 2);
+  nodes_[id] = { box, second, begin, 0 };
+  const auto buildFirst = [&] { build(id + 1, begin, middle, centers); };
+  const auto buildSecond = [&] { build(second, middle, end, centers); };
+  if (count > trianglesPerTask)
+  {
+    tbb::parallel_invoke(buildFirst, buildSecond);
+    return;
+  }
+  buildFirst();
+  buildSecond();
 }
 
 void TriangleTree::searchLeaf(const Node& node, const Vector& p, Hit& best) const

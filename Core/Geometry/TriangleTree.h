@@ -40,7 +40,7 @@ private:
     std::int32_t count = 0;
   };
 
-  std::int32_t build(std::int32_t begin, std::int32_t end, const std::vector<Vector>& centers);
+  void build(std::int32_t id, std::int32_t begin, std::int32_t end, const std::vector<Vector>& centers);
   void searchLeaf(const Node& node, const Vector& p, Hit& best) const;
 
   std::vector<std::array<Vector, 3>> triangles_;
