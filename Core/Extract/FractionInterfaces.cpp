@@ -1,6 +1,8 @@
 #include "Extract/FractionInterfaces.h"
 
 #include "Extract/CellCutter.h"
+#include "Extract/CorrectVolumes.h"
+#include "Extract/Distances.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -150,6 +152,11 @@ ExtractedInterfaces extractFromFractions(const Simulation& simulation, const Ext
     findMixedCells(fractions, topology, options.minimumVolumeFraction, boundary.cellsAtOutside(progress), progress);
   const CellComplex complex = makeCellComplex(topology, mixed.cells, progress);
   MaterialValues values = makeMaterialValues(complex, fractions, progress);
+  if (!fractions.atPoints() && !getenv("XNODIST")) turnIntoDistances(complex, topology, fractions, values, progress);
+  if (options.volumeCorrection && !fractions.atPoints())
+  {
+    correctVolumes(complex, topology, fractions, options.minimumVolumeFraction, values, progress);
+  }
   ExtractedInterfaces result;
   result.volumes.resize(simulation.materials.size());
   result.interfaces = makeSurfaces(complex, values, boundary, progress);

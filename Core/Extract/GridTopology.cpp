@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 namespace strata
@@ -23,18 +24,24 @@ double sixfoldVolume(const std::vector<Vector>& corners, const Vector& apex)
   return sum;
 }
 
+Vector GridTopology::center(Index cell) const
+{
+  std::vector<Index> ids;
+  corners(cell, ids);
+  std::sort(ids.begin(), ids.end());
+  Vector sum = Vector::Zero();
+  for (Index id : ids)
+  {
+    sum += point(id);
+  }
+  return sum / static_cast<double>(ids.size());
+}
+
 double GridTopology::volume(Index cell) const
 {
   CellFaces cellFaces;
   faces(cell, cellFaces);
-  std::vector<Index> ids;
-  corners(cell, ids);
-  Vector center = Vector::Zero();
-  for (Index id : ids)
-  {
-    center += point(id);
-  }
-  center /= static_cast<double>(ids.size());
+  const Vector apex = center(cell);
   double sum = 0.0;
   std::vector<Vector> face;
   for (std::int32_t f = 0; f < cellFaces.count(); ++f)
@@ -44,7 +51,7 @@ double GridTopology::volume(Index cell) const
     {
       face.push_back(point(cellFaces.corners[i]));
     }
-    sum += std::abs(sixfoldVolume(face, center));
+    sum += std::abs(sixfoldVolume(face, apex));
   }
   return sum / 6.0;
 }

@@ -41,6 +41,8 @@ public:
   virtual void faces(Index cell, CellFaces& result) const = 0;
   /// The visible cells that have a point as a corner, ascending.
   virtual void cellsAround(Index point, std::vector<Index>& result) const = 0;
+  /// The mean of a cell's corners.
+  virtual Vector center(Index cell) const;
   /// Volume of the polyhedron bounded by the cell's faces, each a fan about its centre.
   virtual double volume(Index cell) const;
 };

@@ -97,7 +97,7 @@ public:
       if (outside || between)
       {
         Face face = gather(topology_, faces, f);
-        if (sixfoldVolume(face.corners, center(cell)) < 0.0)
+        if (sixfoldVolume(face.corners, topology_.center(cell)) < 0.0)
         {
           std::reverse(face.corners.begin() + 1, face.corners.end());
         }
@@ -108,18 +108,6 @@ public:
   }
 
 private:
-  Vector center(Index cell) const
-  {
-    std::vector<Index> corners;
-    topology_.corners(cell, corners);
-    Vector sum = Vector::Zero();
-    for (Index corner : corners)
-    {
-      sum += topology_.point(corner);
-    }
-    return sum / static_cast<double>(corners.size());
-  }
-
   const std::vector<std::int32_t>& ids_;
   const GridTopology& topology_;
   const Boundary& boundary_;

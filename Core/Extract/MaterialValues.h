@@ -8,13 +8,15 @@
 namespace strata
 {
 /// One number per material at every vertex of a complex: at each point the material with the largest wins, the
-/// lowest of equals. A material that a vertex doesn't list has the value 0 there.
+/// lowest of equals.
 struct MaterialValues
 {
   /// Entries of vertex v: start[v] .. start[v + 1], by ascending material.
   std::vector<Index> start;
   std::vector<std::uint8_t> materials;
   std::vector<double> values;
+  /// By vertex: the value of the materials that it doesn't list; empty stands for 0.
+  std::vector<double> absent;
 
   /// The material that wins at a vertex.
   std::uint8_t winner(std::int32_t vertex) const
@@ -26,17 +28,23 @@ struct MaterialValues
     }
     return materials[best];
   }
-  /// The value of a material at a vertex.
-  double at(std::int32_t vertex, std::uint8_t material) const
+  /// The entry of a material at a vertex; -1 if it isn't listed.
+  Index find(std::int32_t vertex, std::uint8_t material) const
   {
     for (Index i = start[vertex]; i < start[vertex + 1]; ++i)
     {
       if (materials[i] == material)
       {
-        return values[i];
+        return i;
       }
     }
-    return 0.0;
+    return -1;
+  }
+  /// The value of a material at a vertex.
+  double at(std::int32_t vertex, std::uint8_t material) const
+  {
+    const Index entry = find(vertex, material);
+    return entry >= 0 ? values[entry] : absent.empty() ? 0.0 : absent[vertex];
   }
 };
 

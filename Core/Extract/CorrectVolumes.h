@@ -1,0 +1,17 @@
+#pragma once
+
+#include "Extract/CellComplex.h"
+#include "Extract/Fractions.h"
+#include "Extract/MaterialValues.h"
+
+namespace strata
+{
+/// Moves the values at the vertices of a complex so that each material's volume in each cell becomes its fraction.
+///
+/// Sweeps over all cells: the steps that a Newton iteration on the exact volumes asks for in each cell, averaged at
+/// the vertices over the cells that ask. A material without a region in a cell is raised until it has one, if its
+/// fraction is at least `minimumFraction` or it has a region in a cell around. Values at vertices that other cells
+/// of the grid share stay.
+void correctVolumes(const CellComplex& complex, const GridTopology& topology, const Fractions& fractions,
+  double minimumFraction, MaterialValues& values, Progress& progress);
+}

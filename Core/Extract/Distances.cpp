@@ -1,0 +1,220 @@
+#include "Extract/Distances.h"
+
+#include "Extract/CellsAround.h"
+#include "Extract/VolumeBelow.h"
+
+#include <Eigen/Dense>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace strata
+{
+namespace
+{
+int sweepCount = getenv("XSWEEPS") ? atoi(getenv("XSWEEPS")) : 4;
+/// Value of a fraction f without a direction, as a part of the cell's size times f - 1/2.
+constexpr double undirectedSlope = 0.1;
+
+/// 0 below `from`, 1 above `to`, linear between.
+double ramp(double x, double from, double to)
+{
+  return std::clamp((x - from) / (to - from), 0.0, 1.0);
+}
+
+/// The border of a material in a cell: its distance is offset - normal . (x - centre).
+struct Border
+{
+  bool exists = false;
+  double sharpness = 0.0; ///< 0: the fractions around have no direction; 1: as round a plane
+  double offset = 0.0;
+  Vector normal = Vector::Zero(); ///< points out of the material
+};
+
+class DistanceFit
+{
+public:
+  DistanceFit(const CellComplex& complex, const GridTopology& topology, const Fractions& fractions,
+    MaterialValues& values, Progress& progress) :
+    complex_(complex), topology_(topology), fractions_(fractions), values_(values), progress_(progress),
+    around_(complex), means_(values.values), borders_(values.values.size()), sizes_(complex.cells.size())
+  {}
+
+  void run()
+  {
+    forEach(complex_.cellCount(), [this](std::int32_t c) {
+      sizes_[c] = std::cbrt(VolumeBelow(complex_, c).total());
+      startBorders(c);
+    });
+    placeValues();
+    for (int sweep = 1; sweep < sweepCount; ++sweep)
+    {
+      forEach(complex_.cellCount(), [this](std::int32_t c) { turnBorders(c); });
+      placeValues();
+    }
+  }
+
+private:
+  template<typename Visit>
+  void forEach(std::int32_t count, const Visit& visit)
+  {
+    tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, count, 256), [&](const auto& range) {
+      progress_.check();
+      for (std::int32_t i = range.begin(); i < range.end(); ++i)
+      {
+        visit(i);
+      }
+    });
+  }
+
+  bool partial(Index entry) const { return means_[entry] > 1e-9 && means_[entry] < 1.0 - 1e-9; }
+
+  /// Normals from the gradient of the fractions, by least squares over the cells that share a point.
+  void startBorders(std::int32_t c)
+  {
+    const std::int32_t center = complex_.cellVertex(c);
+    const Index begin = values_.start[center];
+    const Index end = values_.start[center + 1];
+    if (std::none_of(values_.values.begin() + begin, values_.values.begin() + end, [&](double) { return end - begin > 1; }))
+    {
+      return;
+    }
+    std::vector<Index> cells;
+    std::vector<Index> around;
+    for (std::int32_t i = around_.nodeStart[c]; i < around_.nodeStart[c + 1]; ++i)
+    {
+      topology_.cellsAround(complex_.nodes[around_.nodes[i]], around);
+      cells.insert(cells.end(), around.begin(), around.end());
+    }
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    std::vector<Vector> gradients(static_cast<std::size_t>(end - begin), Vector::Zero());
+    std::vector<Share> shares;
+    for (Index cell : cells)
+    {
+      const Vector step = topology_.center(cell) - complex_.positions[center];
+      const double weight = cell == complex_.cells[c] ? 0.0 : 1.0 / step.squaredNorm();
+      spread += weight * step * step.transpose();
+      fractions_.ofCell(cell, shares);
+      for (Index e = begin; e < end; ++e)
+      {
+        double value = 0.0;
+        for (const Share& share : shares)
+        {
+          value = share.material == values_.materials[e] ? share.value : value;
+        }
+        gradients[e - begin] += weight * (value - means_[e]) * step;
+      }
+    }
+    const Eigen::LDLT<Eigen::Matrix3d> solver(spread + 1e-12 * spread.trace() * Eigen::Matrix3d::Identity());
+    for (Index e = begin; e < end; ++e)
+    {
+      if (partial(e))
+      {
+        const Vector gradient = solver.solve(gradients[e - begin]);
+        borders_[e].exists = true;
+        borders_[e].sharpness = ramp(2.0 * gradient.norm() * sizes_[c], 0.3, 0.6);
+        setNormal(c, e, gradient);
+      }
+    }
+  }
+
+  /// Normals from the gradient of the distances at the cell's points.
+  void turnBorders(std::int32_t c)
+  {
+    const std::int32_t center = complex_.cellVertex(c);
+    for (Index e = values_.start[center]; e < values_.start[center + 1]; ++e)
+    {
+      if (!borders_[e].exists || borders_[e].sharpness <= 0.0)
+      {
+        continue;
+      }
+      Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+      Vector gradient = Vector::Zero();
+      for (std::int32_t i = around_.nodeStart[c]; i < around_.nodeStart[c + 1]; ++i)
+      {
+        const std::int32_t node = around_.nodes[i];
+        const Vector step = complex_.positions[node] - complex_.positions[center];
+        spread += step * step.transpose();
+        gradient += values_.at(node, values_.materials[e]) * step;
+      }
+      setNormal(c, e, spread.ldlt().solve(gradient));
+    }
+  }
+
+  void setNormal(std::int32_t c, Index entry, const Vector& gradient)
+  {
+    Border& border = borders_[entry];
+    if (gradient.norm() > 0.0)
+    {
+      border.normal = -gradient.normalized();
+      border.offset = VolumeBelow(complex_, c, border.normal).offset(means_[entry]);
+    }
+  }
+
+  double distance(std::int32_t c, Index entry, const Vector& x) const
+  {
+    const Border& border = borders_[entry];
+    const double undirected = undirectedSlope * (means_[entry] - 0.5) * sizes_[c];
+    const double directed = border.offset - border.normal.dot(x - complex_.positions[complex_.cellVertex(c)]);
+    return border.sharpness * directed + (1.0 - border.sharpness) * undirected;
+  }
+
+  void placeValues()
+  {
+    values_.absent.resize(static_cast<std::size_t>(complex_.vertexCount()));
+    forEach(complex_.vertexCount(), [this](std::int32_t v) {
+      double size = 0.0;
+      for (std::int32_t i = around_.start[v]; i < around_.start[v + 1]; ++i)
+      {
+        size = std::max(size, sizes_[around_.cells[i]]);
+      }
+      values_.absent[v] = -size;
+      for (Index entry = values_.start[v]; entry < values_.start[v + 1]; ++entry)
+      {
+        values_.values[entry] = valueAt(v, entry, size);
+      }
+    });
+  }
+
+  double valueAt(std::int32_t v, Index entry, double size) const
+  {
+    double sum = 0.0;
+    double count = 0.0;
+    static const double floor = getenv("XW") ? atof(getenv("XW")) : 0.1;
+    for (std::int32_t i = around_.start[v]; i < around_.start[v + 1]; ++i)
+    {
+      const std::int32_t c = around_.cells[i];
+      const Index e = values_.find(complex_.cellVertex(c), values_.materials[entry]);
+      if (e >= 0 && borders_[e].exists)
+      {
+        const double weight = std::min(means_[e], 1.0 - means_[e]) + floor;
+        sum += weight * distance(c, e, complex_.positions[v]);
+        count += weight;
+      }
+    }
+    return count > 0.0 ? sum / count : (2.0 * means_[entry] - 1.0) * size;
+  }
+
+  const CellComplex& complex_;
+  const GridTopology& topology_;
+  const Fractions& fractions_;
+  MaterialValues& values_;
+  Progress& progress_;
+  CellsAround around_;
+  std::vector<double> means_;   ///< the fractions, by entry of the values
+  std::vector<Border> borders_; ///< by entry; only those of cell centres are used
+  std::vector<double> sizes_;   ///< cube root of each cell's volume
+};
+}
+
+void turnIntoDistances(const CellComplex& complex, const GridTopology& topology, const Fractions& fractions,
+  MaterialValues& values, Progress& progress)
+{
+  DistanceFit(complex, topology, fractions, values, progress).run();
+}
+}
