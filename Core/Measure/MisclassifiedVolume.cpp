@@ -14,7 +14,7 @@ namespace
 {
 constexpr Index cellsPerBlock = 512;
 /// Points in all cells together, as long as each cell gets at least 2^3.
-constexpr double pointsInAll = 1 << 20;
+constexpr double pointsInAll = 1 << 18;
 constexpr int fewestStrata = 2; ///< along each of the three axes
 constexpr int mostStrata = 6;
 
@@ -99,6 +99,7 @@ Estimator::Sums Estimator::addExact(Index begin, Index end, std::vector<Index>& 
 {
   Sums sums;
   CellRegions regions(representation_);
+  OriginalMaterial::Ball ball;
   for (Index cell = begin; cell < end; ++cell)
   {
     const Vector center = at(cell, { 0.25, 0.25, 0.25, 0.25 });
@@ -107,7 +108,7 @@ Estimator::Sums Estimator::addExact(Index begin, Index end, std::vector<Index>& 
     {
       radius = std::max(radius, (representation_.point(representation_.tetrahedra[4 * cell + i]) - center).norm());
     }
-    const OriginalMaterial::Answer truth = original_.at(center);
+    const OriginalMaterial::Answer truth = original_.at(center, radius, ball);
     if (truth.distance < radius)
     {
       open.push_back(cell);
@@ -129,6 +130,7 @@ void Estimator::addSampled(Index cell, int strata, Sums& sums) const
   const MaterialSet candidates = materialsOfCell(representation_, cell);
   const int count = strata * strata * strata;
   int wrong = 0;
+  OriginalMaterial::Ball ball;
   for (int stratum = 0; stratum < count; ++stratum)
   {
     const std::array<int, 3> position = { stratum % strata, stratum / strata % strata, stratum / (strata * strata) };
@@ -138,7 +140,7 @@ void Estimator::addSampled(Index cell, int strata, Sums& sums) const
       cube[axis] = (position[axis] + jitter(cell, stratum, axis)) / strata;
     }
     const std::array<double, 4> weights = barycentric(cube);
-    wrong += representedAt(cell, candidates, weights) != original_.at(at(cell, weights)).material ? 1 : 0;
+    wrong += representedAt(cell, candidates, weights) != original_.at(at(cell, weights), 0.0, ball).material ? 1 : 0;
   }
   CellRegions regions(representation_);
   regions.divide(cell);

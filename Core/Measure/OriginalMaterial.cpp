@@ -126,4 +126,15 @@ OriginalMaterial::Answer OriginalMaterial::at(const Vector& p) const
   }
   return answer;
 }
+
+OriginalMaterial::Answer OriginalMaterial::at(const Vector& p, double needed, Ball& last) const
+{
+  const double distance = last.answer.distance - (p - last.center).norm();
+  if (distance > needed)
+  {
+    return { last.answer.material, distance };
+  }
+  last = { p, at(p) };
+  return last.answer;
+}
 }

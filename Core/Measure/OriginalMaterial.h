@@ -24,6 +24,16 @@ public:
 
   Answer at(const Vector& p) const;
 
+  /// A ball that no interface meets. None at first.
+  struct Ball
+  {
+    Vector center = Vector::Zero();
+    Answer answer{ {}, -1.0 }; ///< its material and radius
+  };
+  /// As `at`, but the distance may be too small, though not below `needed` unless the true one is. Saves the query
+  /// where the last ball tells enough; otherwise replaces it.
+  Answer at(const Vector& p, double needed, Ball& last) const;
+
 private:
   struct Side
   {
