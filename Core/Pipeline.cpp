@@ -5,6 +5,7 @@
 #include "Select/Front.h"
 #include "Select/Saturate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -146,7 +147,7 @@ void Multiresolution::State::grow(
 
 Level Multiresolution::State::selectDirect(const SelectOptions& select, Progress& progress)
 {
-  const Criterion criterion(select.bounds, options.maximumLevel);
+  const Criterion criterion(select.bounds, select.interest, options.maximumLevel);
   Front fitting(hierarchy());
   const auto fits = [&](double scale) {
     Front finer = fitting;
@@ -164,6 +165,8 @@ Level Multiresolution::State::selectDirect(const SelectOptions& select, Progress
     smallestScale(fits);
   }
   Level level = fitting.level(hierarchy());
+  level.achieved.boundMet = std::none_of(fitting.cells().begin(), fitting.cells().end(),
+    [&](CellId c) { return criterion.exceedsBounds(hierarchy(), c, 1.0); });
   level.achieved.stoppedBy = limited ? "maximum number of cells" : "bounds met";
   return level;
 }
@@ -190,6 +193,10 @@ Level Multiresolution::State::selectWithinFinest(const SelectOptions& select, Pr
 
 Level Multiresolution::State::select(const SelectOptions& select, Progress& progress)
 {
+  if (!select.interest.everything())
+  {
+    return selectDirect(select, progress);
+  }
   switch (select.errorMethod)
   {
     case ErrorMethod::Direct:
@@ -231,7 +238,10 @@ Mesh Multiresolution::level(const SelectOptions& options, Progress& progress, co
     const Level level = state_->select(options, progress);
     progress.stage("Writing the mesh", buildShare, 1.0);
     Mesh mesh = emitMesh(state_->hierarchy(), level, emitted, progress);
-    mesh.achieved.boundMet = meets(mesh.achieved, options.bounds);
+    if (options.interest.everything())
+    {
+      mesh.achieved.boundMet = meets(mesh.achieved, options.bounds);
+    }
     if (!mesh.achieved.boundMet && mesh.achieved.stoppedBy == "bounds met")
     {
       mesh.achieved.stoppedBy = "maximum level";

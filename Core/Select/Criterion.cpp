@@ -1,18 +1,88 @@
 #include "Select/Criterion.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace strata
 {
+namespace
+{
+constexpr double noBound = std::numeric_limits<double>::infinity();
+
+struct Ball
+{
+  Vector center;
+  double radius = 0.0;
+};
+
+Ball ballRound(const Hierarchy& hierarchy, CellId id)
+{
+  std::array<Vector, 4> corners;
+  Ball ball{ Vector::Zero(), 0.0 };
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    corners[i] = hierarchy.position(hierarchy.cell(id).corners[i]);
+    ball.center += 0.25 * corners[i];
+  }
+  for (const Vector& corner : corners)
+  {
+    ball.radius = std::max(ball.radius, (corner - ball.center).norm());
+  }
+  return ball;
+}
+}
+
+Criterion::Criterion(ErrorBounds bounds, Interest interest, int maximumLevel) :
+  bounds_(std::move(bounds)), interest_(std::move(interest)), maximumLevel_(maximumLevel)
+{
+  if (interest_.view)
+  {
+    interest_.view->check();
+  }
+}
+
+Criterion::Demand Criterion::demandAt(const Hierarchy& hierarchy, CellId cell) const
+{
+  if (!interest_.focus.empty() && (interest_.focus & hierarchy.materialsOf(cell)).empty())
+  {
+    return { noBound, noBound };
+  }
+  Demand demand{ bounds_.interfaceError, 1.0 };
+  if (!interest_.region && !interest_.view)
+  {
+    return demand;
+  }
+  const Ball ball = ballRound(hierarchy, cell);
+  if (interest_.region && !interest_.region->touches(ball.center, ball.radius))
+  {
+    demand.interfaceError *= interest_.region->coarsening;
+    demand.fieldScale *= interest_.region->coarsening;
+  }
+  if (interest_.view)
+  {
+    const View& view = *interest_.view;
+    const double pixels = view.pixelsPerLength(ball.center, ball.radius);
+    // Nobody sees what is beside the picture, or in a cell smaller than the bound.
+    if (!view.sees(ball.center, ball.radius) || 2.0 * ball.radius * pixels <= view.pixelBound)
+    {
+      return { noBound, noBound };
+    }
+    demand.interfaceError = std::max(demand.interfaceError, view.pixelBound / pixels);
+  }
+  return demand;
+}
+
 bool Criterion::exceedsBounds(const Hierarchy& hierarchy, CellId cell, double scale) const
 {
-  if (static_cast<double>(hierarchy.interfaceError(cell)) > bounds_.interfaceError * scale)
+  const Demand demand = demandAt(hierarchy, cell);
+  if (static_cast<double>(hierarchy.interfaceError(cell)) > demand.interfaceError * scale)
   {
     return true;
   }
   for (std::size_t f = 0; f < bounds_.fieldErrors.size(); ++f)
   {
-    if (static_cast<double>(hierarchy.fieldError(cell, f)) > bounds_.fieldErrors[f] * scale)
+    if (static_cast<double>(hierarchy.fieldError(cell, f)) > bounds_.fieldErrors[f] * demand.fieldScale * scale)
     {
       return true;
     }
@@ -22,16 +92,6 @@ bool Criterion::exceedsBounds(const Hierarchy& hierarchy, CellId cell, double sc
 
 bool Criterion::mustSplit(const Hierarchy& hierarchy, CellId cell, double scale) const
 {
-  return exceedsBounds(hierarchy, cell, scale) && hierarchy.cell(cell).level < maximumLevel_;
-}
-
-double Criterion::sufficientScale(const Hierarchy& hierarchy, CellId cell) const
-{
-  double scale = static_cast<double>(hierarchy.interfaceError(cell)) / bounds_.interfaceError;
-  for (std::size_t f = 0; f < bounds_.fieldErrors.size(); ++f)
-  {
-    scale = std::max(scale, static_cast<double>(hierarchy.fieldError(cell, f)) / bounds_.fieldErrors[f]);
-  }
-  return scale;
+  return hierarchy.cell(cell).level < maximumLevel_ && exceedsBounds(hierarchy, cell, scale);
 }
 }

@@ -2,6 +2,7 @@
 
 #include "Model/ErrorBounds.h"
 #include "Model/Hierarchy.h"
+#include "Select/Interest.h"
 
 namespace strata
 {
@@ -12,16 +13,24 @@ namespace strata
 class Criterion
 {
 public:
-  Criterion(ErrorBounds bounds, int maximumLevel) : bounds_(std::move(bounds)), maximumLevel_(maximumLevel) {}
+  /// Throws InvalidInput for a view that shows nothing.
+  Criterion(ErrorBounds bounds, Interest interest, int maximumLevel);
 
-  bool exceedsBounds(const Hierarchy& hierarchy, CellId cell, double scale) const;
-  /// Cells on the maximum level are kept as they are.
+  /// Whether a cell is too coarse and not on the maximum level.
   bool mustSplit(const Hierarchy& hierarchy, CellId cell, double scale) const;
-  /// The smallest scale at which the cell need not be split.
-  double sufficientScale(const Hierarchy& hierarchy, CellId cell) const;
+  bool exceedsBounds(const Hierarchy& hierarchy, CellId cell, double scale) const;
 
 private:
+  /// What the bounds at a cell become; negative where the cell needs not meet any.
+  struct Demand
+  {
+    double interfaceError;
+    double fieldScale;
+  };
+  Demand demandAt(const Hierarchy& hierarchy, CellId cell) const;
+
   ErrorBounds bounds_;
+  Interest interest_;
   int maximumLevel_;
 };
 }

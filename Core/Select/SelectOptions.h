@@ -2,6 +2,7 @@
 
 #include "Model/ErrorBounds.h"
 #include "Model/Ids.h"
+#include "Select/Interest.h"
 
 #include <cstdint>
 #include <limits>
@@ -25,6 +26,8 @@ struct SelectOptions
   /// How deep saturated and accumulated errors look into the hierarchy; 0 or empty, or looser than `bounds`: no
   /// deeper than `bounds`.
   ErrorBounds finestBounds;
+  /// What the level is refined for; used by the direct method, whatever `errorMethod` says, if it is not everything.
+  Interest interest;
   Index maximumNumberOfCells = std::numeric_limits<Index>::max();
 };
 }
