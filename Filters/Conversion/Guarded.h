@@ -1,0 +1,44 @@
+#pragma once
+
+#include "Conversion/FilterProgress.h"
+
+#include "Model/Errors.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkDataObject.h>
+#include <vtkObject.h>
+
+namespace strata::conversion
+{
+/// Runs a filter's work behind the one `try` at the wall between VTK and the core: an exception becomes an error of
+/// the filter and an empty output, an abort an empty output. `work` is called with the progress.
+template<typename Work>
+int guarded(vtkAlgorithm* filter, vtkDataObject* output, const Work& work)
+{
+  try
+  {
+    FilterProgress progress(filter);
+    work(progress);
+    return 1;
+  }
+  catch (const Cancelled&)
+  {
+    output->Initialize();
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorWithObjectMacro(filter, << error.what());
+    return 0;
+  }
+}
+
+inline void warn(vtkAlgorithm* filter, const Warnings& warnings)
+{
+  for (const std::string& warning : warnings)
+  {
+    vtkWarningWithObjectMacro(filter, << warning);
+  }
+}
+}

@@ -1,0 +1,158 @@
+#include "Conversion/InputArrays.h"
+
+#include "Conversion/ValueConversion.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
+
+#include <algorithm>
+
+namespace strata::conversion
+{
+namespace
+{
+vtkDataSetAttributes* attributes(const InputBlock& block, Association association)
+{
+  return association == Association::Cells ? block.cellData : block.pointData;
+}
+
+/// A block's array. Throws InvalidInput if it is missing or too short.
+vtkDataArray* arrayOf(const InputBlock& block, Association association, const std::string& name)
+{
+  const bool cells = association == Association::Cells;
+  vtkDataArray* array = attributes(block, association)->GetArray(name.c_str());
+  if (!array)
+  {
+    throw InvalidInput(
+      "The " + std::string(cells ? "cell" : "point") + " array '" + name + "'" + block.name + " is missing");
+  }
+  const Index expected = cells ? block.cellCount : block.pointCount;
+  if (array->GetNumberOfTuples() != expected)
+  {
+    throw InvalidInput("The array '" + name + "'" + block.name + " has " + std::to_string(array->GetNumberOfTuples()) +
+                       " values for " + std::to_string(expected) + (cells ? " cells" : " points"));
+  }
+  return array;
+}
+
+const std::vector<Index>& sources(const InputGrid& input, Association association)
+{
+  return association == Association::Cells ? input.cellSource : input.pointSource;
+}
+
+/// Calls `copy(block number, position in block, position in result)` for each cell or point of the grid.
+template<typename Function>
+void forEachSource(const InputGrid& input, Association association, const Function& copy)
+{
+  std::size_t block = 0;
+  const auto offset = [&](std::size_t b) {
+    return association == Association::Cells ? input.blocks[b].cellOffset : input.blocks[b].pointOffset;
+  };
+  const std::vector<Index>& source = sources(input, association);
+  for (std::size_t i = 0; i < source.size(); ++i)
+  {
+    while (block + 1 < input.blocks.size() && source[i] >= offset(block + 1))
+    {
+      ++block;
+    }
+    copy(block, source[i] - offset(block), i);
+  }
+}
+
+template<typename T>
+ValueArray gathered(const InputGrid& input, Association association, const std::vector<ValueArray>& parts)
+{
+  const int components = parts.front().components();
+  std::vector<T> result(sources(input, association).size() * static_cast<std::size_t>(components));
+  forEachSource(input, association, [&](std::size_t block, Index from, std::size_t to) {
+    for (int c = 0; c < components; ++c)
+    {
+      result[to * static_cast<std::size_t>(components) + static_cast<std::size_t>(c)] =
+        static_cast<T>(parts[block](from, c));
+    }
+  });
+  return ownedValues(std::move(result), components);
+}
+}
+
+std::vector<ArrayInfo> arraysOf(const InputGrid& input, Association association)
+{
+  std::vector<ArrayInfo> result;
+  for (const InputBlock& block : input.blocks)
+  {
+    vtkDataSetAttributes* data = attributes(block, association);
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = data->GetArray(i);
+      if (array && array->GetName() && !find(result, array->GetName()))
+      {
+        const int type = array->GetDataType();
+        result.push_back({ array->GetName(), array->GetNumberOfComponents(), type == VTK_FLOAT || type == VTK_DOUBLE,
+          type == VTK_UNSIGNED_CHAR });
+      }
+    }
+  }
+  return result;
+}
+
+const ArrayInfo* find(const std::vector<ArrayInfo>& arrays, const std::string& name)
+{
+  const auto at =
+    std::find_if(arrays.begin(), arrays.end(), [&](const ArrayInfo& array) { return array.name == name; });
+  return at == arrays.end() ? nullptr : &*at;
+}
+
+ValueArray values(const InputGrid& input, Association association, const std::string& name)
+{
+  std::vector<ValueArray> parts;
+  bool floats = true;
+  for (const InputBlock& block : input.blocks)
+  {
+    vtkDataArray* array = arrayOf(block, association, name);
+    floats = floats && array->GetDataType() == VTK_FLOAT;
+    parts.push_back(valuesOf(array));
+    if (parts.back().components() != parts.front().components())
+    {
+      throw InvalidInput("The array '" + name + "'" + block.name + " has another number of components than elsewhere");
+    }
+  }
+  if (sources(input, association).empty())
+  {
+    return parts.front();
+  }
+  return floats ? gathered<float>(input, association, parts) : gathered<double>(input, association, parts);
+}
+
+std::vector<std::int64_t> integers(const InputGrid& input, const std::string& cellArray)
+{
+  std::vector<std::vector<std::int64_t>> parts;
+  for (const InputBlock& block : input.blocks)
+  {
+    parts.push_back(integersOf(arrayOf(block, Association::Cells, cellArray)));
+  }
+  if (input.cellSource.empty())
+  {
+    return parts.front();
+  }
+  std::vector<std::int64_t> result(input.cellSource.size());
+  forEachSource(input, Association::Cells,
+    [&](std::size_t block, Index from, std::size_t to) { result[to] = parts[block][static_cast<std::size_t>(from)]; });
+  return result;
+}
+
+std::string activeScalars(const InputGrid& input)
+{
+  for (const Association association : { Association::Cells, Association::Points })
+  {
+    for (const InputBlock& block : input.blocks)
+    {
+      vtkDataArray* scalars = attributes(block, association)->GetScalars();
+      if (scalars && scalars->GetName())
+      {
+        return scalars->GetName();
+      }
+    }
+  }
+  return "";
+}
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "Conversion/InputGrid.h"
+
+#include "Model/Simulation.h"
+
+#include <string>
+#include <vector>
+
+namespace strata::conversion
+{
+/// Which of an input's arrays are meant.
+struct ArrayInfo
+{
+  std::string name;
+  int components = 1;
+  bool floating = false; ///< values of type float or double
+  bool bytes = false;    ///< values of type unsigned char
+};
+
+/// The numeric arrays of an input, blocks' arrays taken together by name, in order of appearance.
+std::vector<ArrayInfo> arraysOf(const InputGrid& input, Association association);
+
+/// The entry of that name, or null.
+const ArrayInfo* find(const std::vector<ArrayInfo>& arrays, const std::string& name);
+
+/// An array's values, one tuple per cell or point of the grid. Throws InvalidInput where a block lacks it or
+/// has it with another number of tuples or components.
+ValueArray values(const InputGrid& input, Association association, const std::string& name);
+
+/// The same for integers (one component).
+std::vector<std::int64_t> integers(const InputGrid& input, const std::string& cellArray);
+
+/// The name of the active scalars of the first block that has any, in cells or else in points; "" if none has.
+std::string activeScalars(const InputGrid& input);
+}

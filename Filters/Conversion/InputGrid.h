@@ -1,0 +1,49 @@
+#pragma once
+
+#include "Model/Errors.h"
+#include "Model/Grid.h"
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkDataSetAttributes;
+
+namespace strata::conversion
+{
+/// A data set that contributes to the simulation's grid, with the place of its cells and points in the
+/// concatenation of all data sets' cells and points.
+struct InputBlock
+{
+  std::string name; ///< for messages: "" or " of block 'x'"
+  vtkSmartPointer<vtkDataSetAttributes> cellData;
+  vtkSmartPointer<vtkDataSetAttributes> pointData;
+  Index cellOffset = 0;
+  Index cellCount = 0;
+  Index pointOffset = 0;
+  Index pointCount = 0;
+};
+
+/// The simulation's grid and where its cells and points come from.
+struct InputGrid
+{
+  Grid grid;
+  std::vector<InputBlock> blocks;
+  /// One per cell (point) of `grid`, ascending: position in the concatenation of all blocks' cells (points).
+  /// Empty where the grid has exactly the cells (points) of one block.
+  std::vector<Index> cellSource;
+  std::vector<Index> pointSource;
+  /// Space in the box that no cell fills, or may not fill.
+  bool hasOutside = false;
+  Warnings warnings;
+};
+
+/// "cell 12 of block 'left'": a cell of the grid by the number that the user knows.
+std::string describeCell(const InputGrid& input, Index cell);
+
+/// Reads the grid of a data set, a collection of data sets (appended; ghost cells and cells that finer ones
+/// cover are dropped) or a hyper tree grid. Throws InvalidInput for a grid that can't be used.
+InputGrid readGrid(vtkDataObject* data);
+}

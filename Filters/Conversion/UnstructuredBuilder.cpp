@@ -1,0 +1,227 @@
+#include "Conversion/UnstructuredBuilder.h"
+
+#include "Conversion/CheckCells.h"
+#include "Conversion/Weld.h"
+
+#include "Geometry/Box.h"
+
+#include <vtkDataSetAttributes.h>
+
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace strata::conversion
+{
+void UnstructuredBuilder::beginBlock(InputBlock block, std::vector<Vector> points)
+{
+  const Index cellEnd = blocks_.empty() ? 0 : blocks_.back().cellOffset + blocks_.back().cellCount;
+  block.cellOffset = cellEnd;
+  block.pointOffset = grid_.pointCount();
+  block.pointCount = static_cast<Index>(points.size());
+  blocks_.push_back(std::move(block));
+  if (grid_.points.empty())
+  {
+    grid_.points = std::move(points);
+  }
+  else
+  {
+    grid_.points.insert(grid_.points.end(), points.begin(), points.end());
+    weld_ = true;
+  }
+  if (grid_.cornerOffsets.empty())
+  {
+    grid_.cornerOffsets.push_back(0);
+  }
+}
+
+Index UnstructuredBuilder::global(Index source, Index point) const
+{
+  const InputBlock& block = blocks_.back();
+  if (point < 0 || point >= block.pointCount)
+  {
+    std::ostringstream message;
+    message << "Cell " << source << block.name << " uses point " << point << ", but the points are numbered 0 to "
+            << block.pointCount - 1;
+    throw InvalidInput(message.str());
+  }
+  return block.pointOffset + point;
+}
+
+void UnstructuredBuilder::finishCell(CellShape shape, Index source)
+{
+  grid_.shapes.push_back(shape);
+  grid_.cornerOffsets.push_back(static_cast<Index>(grid_.corners.size()));
+  cellSource_.push_back(blocks_.back().cellOffset + source);
+  if (!grid_.faceOffsets.empty())
+  {
+    grid_.faceOffsets.push_back(static_cast<Index>(grid_.faceStart.size()) - 1);
+  }
+}
+
+void UnstructuredBuilder::add(const CellKind& kind, Index source, const Index* points, Index pointCount)
+{
+  if (pointCount < static_cast<Index>(kind.corners.size()))
+  {
+    std::ostringstream message;
+    message << "Cell " << source << blocks_.back().name << " has " << pointCount << " points; its type needs "
+            << kind.corners.size();
+    throw InvalidInput(message.str());
+  }
+  if (kind.use == CellKind::Use::Prism)
+  {
+    std::vector<Index> faces;
+    for (const std::vector<int>& face : kind.faces)
+    {
+      faces.push_back(static_cast<Index>(face.size()));
+      for (const int corner : face)
+      {
+        faces.push_back(points[corner]);
+      }
+    }
+    addPolyhedron(source, points, pointCount, faces.data(), static_cast<Index>(kind.faces.size()));
+    return;
+  }
+  for (const int corner : kind.corners)
+  {
+    grid_.corners.push_back(global(source, points[corner]));
+  }
+  linearized_ += kind.use == CellKind::Use::Linearized;
+  finishCell(kind.shape, source);
+}
+
+void UnstructuredBuilder::addPolyhedron(
+  Index source, const Index* points, Index pointCount, const Index* faces, Index faceCount)
+{
+  if (grid_.faceOffsets.empty())
+  {
+    grid_.faceOffsets.assign(grid_.shapes.size() + 1, 0);
+    grid_.faceStart.push_back(0);
+  }
+  for (Index i = 0; i < pointCount; ++i)
+  {
+    grid_.corners.push_back(global(source, points[i]));
+  }
+  for (Index f = 0; f < faceCount; ++f)
+  {
+    const Index size = *faces++;
+    for (Index i = 0; i < size; ++i)
+    {
+      grid_.faceCorners.push_back(global(source, *faces++));
+    }
+    grid_.faceStart.push_back(static_cast<Index>(grid_.faceCorners.size()));
+  }
+  finishCell(CellShape::Polyhedron, source);
+}
+
+void UnstructuredBuilder::checkFinite(const InputGrid& result) const
+{
+  for (Index cell = 0; cell < grid_.cellCount(); ++cell)
+  {
+    for (Index k = grid_.cornerOffsets[static_cast<std::size_t>(cell)];
+         k < grid_.cornerOffsets[static_cast<std::size_t>(cell) + 1]; ++k)
+    {
+      const Vector& point = grid_.points[static_cast<std::size_t>(grid_.corners[static_cast<std::size_t>(k)])];
+      if (!point.allFinite())
+      {
+        std::ostringstream message;
+        message << "A point of " << describeCell(result, cell) << " is not finite: (" << point[0] << ", " << point[1]
+                << ", " << point[2] << ")";
+        throw InvalidInput(message.str());
+      }
+    }
+  }
+}
+
+void UnstructuredBuilder::compactPoints(InputGrid& result)
+{
+  std::vector<Index> place(grid_.points.size(), -1);
+  for (const Index corner : grid_.corners)
+  {
+    place[static_cast<std::size_t>(corner)] = 0;
+  }
+  // Only points that cells use: others may be anywhere, even not finite.
+  std::vector<Vector> points;
+  for (std::size_t i = 0; i < place.size(); ++i)
+  {
+    if (place[i] == 0)
+    {
+      place[i] = static_cast<Index>(points.size());
+      points.push_back(grid_.points[i]);
+      result.pointSource.push_back(static_cast<Index>(i));
+    }
+  }
+  if (weld_)
+  {
+    Box box;
+    for (const Vector& point : points)
+    {
+      box.add(point);
+    }
+    const std::vector<Index> welded = weld(points, weldTolerance * box.diagonal());
+    std::vector<Index> kept(points.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      if (welded[i] == static_cast<Index>(i))
+      {
+        kept[i] = static_cast<Index>(count);
+        points[count] = points[i];
+        result.pointSource[count++] = result.pointSource[i];
+      }
+      else
+      {
+        kept[i] = kept[static_cast<std::size_t>(welded[i])];
+      }
+    }
+    points.resize(count);
+    result.pointSource.resize(count);
+    for (Index& p : place)
+    {
+      p = p < 0 ? p : kept[static_cast<std::size_t>(p)];
+    }
+  }
+  for (std::vector<Index>* list : { &grid_.corners, &grid_.faceCorners })
+  {
+    for (Index& corner : *list)
+    {
+      corner = place[static_cast<std::size_t>(corner)];
+    }
+  }
+  grid_.points = std::move(points);
+}
+
+void UnstructuredBuilder::warn(InputGrid& result) const
+{
+  if (ignored_ > 0)
+  {
+    result.warnings.push_back(
+      std::to_string(ignored_) + " cells without volume (vertices, lines, surfaces) are ignored");
+  }
+  if (linearized_ > 0)
+  {
+    result.warnings.push_back(
+      std::to_string(linearized_) + " curved cells are taken as straight cells between their corners");
+  }
+}
+
+InputGrid UnstructuredBuilder::finish()
+{
+  InputGrid result;
+  result.hasOutside = true;
+  result.blocks = std::move(blocks_);
+  result.cellSource = std::move(cellSource_);
+  warn(result);
+  if (grid_.cellCount() == 0)
+  {
+    throw InvalidInput("The grid has no visible cells with a volume");
+  }
+  checkFinite(result);
+  weld_ = weld_ || linearized_ > 0;
+  compactPoints(result);
+  orientWedges(grid_);
+  result.grid = std::move(grid_);
+  checkCells(result);
+  return result;
+}
+}

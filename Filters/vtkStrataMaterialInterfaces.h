@@ -1,0 +1,50 @@
+/**
+ * @class vtkStrataMaterialInterfaces
+ * @brief finds the surfaces between the materials of a simulation
+ *
+ * One surface per pair of materials that touch, without gaps where several meet, from volume fractions or material
+ * ids. Blocks are named `<positive>|<negative>`; normals point into the positive material.
+ */
+#ifndef vtkStrataMaterialInterfaces_h
+#define vtkStrataMaterialInterfaces_h
+
+#include "vtkStrataFiltersModule.h" // for the export macro
+#include "vtkStrataSimulationFilter.h"
+
+class VTKSTRATAFILTERS_EXPORT vtkStrataMaterialInterfaces : public vtkStrataSimulationFilter
+{
+public:
+  static vtkStrataMaterialInterfaces* New();
+  vtkTypeMacro(vtkStrataMaterialInterfaces, vtkStrataSimulationFilter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Drive the reconstructed volume of each material in each cell to its fraction. */
+  vtkSetMacro(VolumeCorrection, bool);
+  vtkGetMacro(VolumeCorrection, bool);
+  vtkBooleanMacro(VolumeCorrection, bool);
+  ///@}
+
+  ///@{
+  /** Add the input as a block `grid`, with the volume error of each material as cell arrays `volume_error_<m>`. */
+  vtkSetMacro(VolumeErrors, bool);
+  vtkGetMacro(VolumeErrors, bool);
+  vtkBooleanMacro(VolumeErrors, bool);
+  ///@}
+
+protected:
+  vtkStrataMaterialInterfaces() = default;
+  ~vtkStrataMaterialInterfaces() override = default;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  bool VolumeCorrection = true;
+  bool VolumeErrors = false;
+
+private:
+  vtkStrataMaterialInterfaces(const vtkStrataMaterialInterfaces&) = delete;
+  void operator=(const vtkStrataMaterialInterfaces&) = delete;
+};
+
+#endif

@@ -1,0 +1,75 @@
+/**
+ * @class vtkStrataSimulationFilter
+ * @brief base of the filters that read a simulation
+ *
+ * Holds what a user says about the arrays of the input: which are volume fractions or material ids, what the
+ * remainder is called, which materials have no fields. What stays unset is found by the conventions of the
+ * simulation codes, or said by the case file that the input comes from.
+ */
+#ifndef vtkStrataSimulationFilter_h
+#define vtkStrataSimulationFilter_h
+
+#include "vtkDataObjectAlgorithm.h"
+#include "vtkStrataFiltersModule.h" // for the export macro
+
+#include <memory> // for Options
+#include <string> // for members
+
+class VTKSTRATAFILTERS_EXPORT vtkStrataSimulationFilter : public vtkDataObjectAlgorithm
+{
+public:
+  vtkTypeMacro(vtkStrataSimulationFilter, vtkDataObjectAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Arrays of volume fractions, in cells or at points; none: those recognized by their names. */
+  void AddVolumeFractionArray(const char* name);
+  void ClearVolumeFractionArrays();
+  ///@}
+
+  ///@{
+  /** Cell array of integer material ids, for meshes with one material per cell. */
+  vtkSetMacro(MaterialIdArray, std::string);
+  vtkGetMacro(MaterialIdArray, std::string);
+  ///@}
+
+  ///@{
+  /** Name of the material that takes what the volume fractions leave. */
+  vtkSetMacro(RemainderMaterial, std::string);
+  vtkGetMacro(RemainderMaterial, std::string);
+  ///@}
+
+  ///@{
+  /** Materials without fields; none: those called empty, void, vacuum or outside. */
+  void AddMaterialWithoutFields(const char* name);
+  void ClearMaterialsWithoutFields();
+  ///@}
+
+  ///@{
+  /** A material counts in a cell from this volume fraction on. */
+  vtkSetMacro(MinimumVolumeFraction, double);
+  vtkGetMacro(MinimumVolumeFraction, double);
+  ///@}
+
+protected:
+  vtkStrataSimulationFilter();
+  ~vtkStrataSimulationFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  /** Throws strata::InvalidInput unless MinimumVolumeFraction lies within [0, 1]. */
+  void CheckMinimumVolumeFraction() const;
+
+  std::string MaterialIdArray;
+  std::string RemainderMaterial = "empty";
+  double MinimumVolumeFraction = 0.1;
+
+  struct Lists;
+  std::unique_ptr<Lists> ArrayLists;
+
+private:
+  vtkStrataSimulationFilter(const vtkStrataSimulationFilter&) = delete;
+  void operator=(const vtkStrataSimulationFilter&) = delete;
+};
+
+#endif
