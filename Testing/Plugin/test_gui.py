@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 WINDOW = (1280, 1000)
+PATIENCE = 200  # seconds: a dialog that nobody expected waits for ever
 # The part of the window in which the render view lies, as fractions: left, right, top, bottom.
 VIEW = (0.27, 0.99, 0.24, 0.94)
 # Less than any data covers; more than axes, legend and outline do.
@@ -49,7 +50,11 @@ def play(paraview, events):
     process = subprocess.Popen([paraview, "--dr", "-qwindowgeometry", window, f"--plugin-search-paths={folder}",
                                 "--plugins=Strata", f"--test-script={events}", "--exit"])
     last = None
+    deadline = time.monotonic() + PATIENCE
     while process.poll() is None:
+        if time.monotonic() > deadline:
+            print("ERROR: ParaView doesn't end")
+            process.kill()
         picture = screen()
         if (picture.max(axis=2) > 0).mean() > 0.5:  # the window is up
             last = picture
