@@ -9,23 +9,6 @@ namespace
 {
 using Coordinates = std::array<double, 4>;
 
-double determinant(const Coordinates& a, const Coordinates& b, const Coordinates& c, const Coordinates& d)
-{
-  const double ab01 = a[0] * b[1] - a[1] * b[0];
-  const double ab02 = a[0] * b[2] - a[2] * b[0];
-  const double ab03 = a[0] * b[3] - a[3] * b[0];
-  const double ab12 = a[1] * b[2] - a[2] * b[1];
-  const double ab13 = a[1] * b[3] - a[3] * b[1];
-  const double ab23 = a[2] * b[3] - a[3] * b[2];
-  const double cd01 = c[0] * d[1] - c[1] * d[0];
-  const double cd02 = c[0] * d[2] - c[2] * d[0];
-  const double cd03 = c[0] * d[3] - c[3] * d[0];
-  const double cd12 = c[1] * d[2] - c[2] * d[1];
-  const double cd13 = c[1] * d[3] - c[3] * d[1];
-  const double cd23 = c[2] * d[3] - c[3] * d[2];
-  return ab01 * cd23 - ab02 * cd13 + ab03 * cd12 + ab12 * cd03 - ab13 * cd02 + ab23 * cd01;
-}
-
 int positionOf(const CornerValues* functions, int count, int function)
 {
   return static_cast<int>(std::find_if(functions, functions + count, [function](const CornerValues& values) {
@@ -41,7 +24,7 @@ double fan(const TetrahedronCut& cut, const TetrahedronCut::Face& face, const Co
   double sum = 0.0;
   for (int i = face.begin + 1; i + 1 < face.end; ++i)
   {
-    sum += determinant(apex, at[loop[face.begin]], at[loop[i]], at[loop[i + 1]]);
+    sum += volumeFraction(apex, at[loop[face.begin]], at[loop[i]], at[loop[i + 1]]);
   }
   return cut.reversed() ? -sum : sum;
 }
@@ -154,6 +137,24 @@ void addDerivatives(const CornerValues* functions, int count, const TetrahedronC
     derivatives[count * j + j] -= swept;
   }
 }
+}
+
+double volumeFraction(const std::array<double, 4>& a, const std::array<double, 4>& b, const std::array<double, 4>& c,
+  const std::array<double, 4>& d)
+{
+  const double ab01 = a[0] * b[1] - a[1] * b[0];
+  const double ab02 = a[0] * b[2] - a[2] * b[0];
+  const double ab03 = a[0] * b[3] - a[3] * b[0];
+  const double ab12 = a[1] * b[2] - a[2] * b[1];
+  const double ab13 = a[1] * b[3] - a[3] * b[1];
+  const double ab23 = a[2] * b[3] - a[3] * b[2];
+  const double cd01 = c[0] * d[1] - c[1] * d[0];
+  const double cd02 = c[0] * d[2] - c[2] * d[0];
+  const double cd03 = c[0] * d[3] - c[3] * d[0];
+  const double cd12 = c[1] * d[2] - c[2] * d[1];
+  const double cd13 = c[1] * d[3] - c[3] * d[1];
+  const double cd23 = c[2] * d[3] - c[3] * d[2];
+  return ab01 * cd23 - ab02 * cd13 + ab03 * cd12 + ab12 * cd03 - ab13 * cd02 + ab23 * cd01;
 }
 
 void regionVolumes(const CornerValues* functions, int count, TetrahedronCut& workspace, double* volumes)

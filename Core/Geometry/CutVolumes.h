@@ -4,6 +4,11 @@
 
 namespace strata
 {
+/// Volume of a tetrahedron as a fraction of the one in whose barycentric coordinates it is given; negative if turned
+/// round.
+double volumeFraction(const std::array<double, 4>& a, const std::array<double, 4>& b, const std::array<double, 4>& c,
+  const std::array<double, 4>& d);
+
 /// Volume of each region as a fraction of the tetrahedron, by position in the list of functions; sums to 1 up
 /// to rounding. Faster than a cut for one or two functions; otherwise `workspace` is used for it.
 void regionVolumes(const CornerValues* functions, int count, TetrahedronCut& workspace, double* volumes);

@@ -1,11 +1,16 @@
 #include "Geometry/RegionTetrahedra.h"
 
+#include "Geometry/CutVolumes.h"
+
 #include <algorithm>
 
 namespace strata
 {
 namespace
 {
+/// Pieces below this fraction of the tetrahedron are rounding noise of flat ones.
+constexpr double leastVolume = 1e-15;
+
 bool lower(const TetrahedronCut& cut, int a, int b)
 {
   return cut.points()[a].key < cut.points()[b].key;
@@ -47,7 +52,13 @@ void fillRegion(const TetrahedronCut& cut, int function, std::vector<std::array<
     const auto around = [&](int i) { return loops[face.begin + (centre - face.begin + i) % size]; };
     for (int i = 1; i + 1 < size; ++i)
     {
-      result.push_back({ apex, around(0), around(i), around(i + 1) });
+      const std::array<int, 4> piece{ apex, around(0), around(i), around(i + 1) };
+      const std::vector<std::array<double, 4>>& at = cut.coordinates();
+      const double volume = volumeFraction(at[piece[0]], at[piece[1]], at[piece[2]], at[piece[3]]);
+      if ((cut.reversed() ? -volume : volume) > leastVolume)
+      {
+        result.push_back(piece);
+      }
     }
   }
 }
