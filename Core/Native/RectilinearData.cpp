@@ -128,11 +128,18 @@ Vector spacingAt(const SampleLattice& lattice, const SampleLattice::Position& po
   return result;
 }
 
-/// Weight of a sample in a fit, by its squared distance in native cells.
-double fitWeight(double squaredDistance)
+/// Weight in a fit that interpolates: so large at a sample that the fit takes its value there.
+double interpolationWeight(double squaredDistance)
 {
-  const double root = 1.0 / (1.0 + squaredDistance);
-  return root * root;
+  const double wide = squaredDistance + 0.3;
+  return 1.0 / ((squaredDistance + 1e-6) * wide * wide);
+}
+
+/// Weight in a fit that extrapolates far: no single sample must rule its slope.
+double extrapolationWeight(double squaredDistance)
+{
+  const double wide = squaredDistance + 1.0;
+  return 1.0 / (wide * wide);
 }
 }
 
@@ -198,38 +205,28 @@ bool RectilinearData::sampleNear(std::size_t group, MaterialId m, const Vector& 
     begin[axis] = std::max<Index>(interval.lower - (interval.fraction == 0.0 ? 1 : 0), 0);
     end[axis] = std::min(interval.lower + 1, last);
   }
-  for (Index k = begin[2]; k <= end[2]; ++k)
-  {
-    for (Index j = begin[1]; j <= end[1]; ++j)
-    {
-      for (Index i = begin[0]; i <= end[0]; ++i)
-      {
-        if (materials[lattice.index({ i, j, k })].contains(m))
-        {
-          return true;
-        }
-      }
-    }
-  }
-  return false;
+  bool found = false;
+  forEachPosition(
+    begin, end, [&](const Position& position) { found = found || materials[lattice.index(position)].contains(m); });
+  return found;
 }
 
 void RectilinearData::interpolate(std::size_t group, MaterialId m, const Vector& point, double* result) const
 {
   const SampleGroup& samples = groups()[group];
   const SampleLattice& lattice = layouts_[group].lattice;
-  for (const Corners::Corner& corner : Corners(lattice, point, false))
+  const Corners corners(lattice, point, false);
+  const bool complete = std::all_of(corners.begin(), corners.end(),
+    [&](const Corners::Corner& corner) { return samples.materials[lattice.index(corner.position)].contains(m); });
+  if (!complete)
   {
-    const Index sample = lattice.index(corner.position);
-    if (samples.materials[sample].contains(m))
-    {
-      addSample(samples, m, samples.first + static_cast<SampleIndex>(sample), corner.weight, result);
-    }
-    else
-    {
-      const Vector position = lattice.point(corner.position);
-      addFitRound(group, m, corner.position, position, position, corner.weight, result);
-    }
+    addFitRound(group, m, { nearestPosition(lattice, point), point, point, interpolationWeight }, result);
+    return;
+  }
+  for (const Corners::Corner& corner : corners)
+  {
+    const auto sample = static_cast<SampleIndex>(lattice.index(corner.position));
+    addSample(samples, m, samples.first + sample, corner.weight, result);
   }
 }
 
@@ -263,23 +260,23 @@ void RectilinearData::extrapolate(
   std::size_t group, MaterialId m, const Vector& point, const Vector& closest, double* result) const
 {
   const Layout& layout = layouts_[group];
-  if (!addFitRound(group, m, nearestPosition(layout.lattice, closest), closest, point, 1.0, result))
+  const FitPlace place = { nearestPosition(layout.lattice, closest), closest, point, extrapolationWeight };
+  if (!addFitRound(group, m, place, result))
   {
     const Index nearest = layout.blocks.nearest(layout.lattice, groups()[group].materials, m, closest);
     const Position position = layout.lattice.position(nearest);
-    addFitRound(group, m, position, layout.lattice.point(position), point, 1.0, result);
+    addFitRound(group, m, { position, layout.lattice.point(position), point, extrapolationWeight }, result);
   }
 }
 
-bool RectilinearData::addFitRound(std::size_t group, MaterialId m, const Position& center, const Vector& origin,
-  const Vector& point, double factor, double* result) const
+bool RectilinearData::addFitRound(std::size_t group, MaterialId m, const FitPlace& place, double* result) const
 {
-  const Vector spacing = spacingAt(layouts_[group].lattice, center);
-  const Vector target = (point - origin).cwiseQuotient(spacing);
+  const Vector spacing = spacingAt(layouts_[group].lattice, place.center);
+  const Vector target = (place.target - place.origin).cwiseQuotient(spacing);
   for (const Index radius : { fitRadius, wideFitRadius })
   {
     FitSamples samples;
-    collect(group, m, center, origin, spacing, radius, samples);
+    collect(group, m, place, spacing, radius, samples);
     if (samples.count == 0)
     {
       continue;
@@ -287,15 +284,15 @@ bool RectilinearData::addFitRound(std::size_t group, MaterialId m, const Positio
     const LinearFit fit(samples);
     if (fit.rank() == 3 || radius == wideFitRadius)
     {
-      addFit(groups()[group], m, samples, fit, target, factor, result);
+      addFit(groups()[group], m, samples, fit, target, result);
       return true;
     }
   }
   return false;
 }
 
-void RectilinearData::collect(std::size_t group, MaterialId m, const Position& center, const Vector& origin,
-  const Vector& spacing, Index radius, FitSamples& samples) const
+void RectilinearData::collect(std::size_t group, MaterialId m, const FitPlace& place, const Vector& spacing,
+  Index radius, FitSamples& samples) const
 {
   const SampleLattice& lattice = layouts_[group].lattice;
   const SampleMaterials& materials = groups()[group].materials;
@@ -303,24 +300,16 @@ void RectilinearData::collect(std::size_t group, MaterialId m, const Position& c
   Position end{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    begin[axis] = std::max<Index>(center[axis] - radius, 0);
-    end[axis] = std::min<Index>(center[axis] + radius, lattice.count(static_cast<int>(axis)) - 1);
+    begin[axis] = std::max<Index>(place.center[axis] - radius, 0);
+    end[axis] = std::min<Index>(place.center[axis] + radius, lattice.count(static_cast<int>(axis)) - 1);
   }
-  for (Index k = begin[2]; k <= end[2]; ++k)
-  {
-    for (Index j = begin[1]; j <= end[1]; ++j)
+  forEachPosition(begin, end, [&](const Position& position) {
+    const Index sample = lattice.index(position);
+    if (materials[sample].contains(m))
     {
-      for (Index i = begin[0]; i <= end[0]; ++i)
-      {
-        const Index sample = lattice.index({ i, j, k });
-        if (materials[sample].contains(m))
-        {
-          const Vector offset = (lattice.point({ i, j, k }) - origin).cwiseQuotient(spacing);
-          samples.add(
-            groups()[group].first + static_cast<SampleIndex>(sample), offset, fitWeight(offset.squaredNorm()));
-        }
-      }
+      const Vector offset = (lattice.point(position) - place.origin).cwiseQuotient(spacing);
+      samples.add(groups()[group].first + static_cast<SampleIndex>(sample), offset, place.weight(offset.squaredNorm()));
     }
-  }
+  });
 }
 }

@@ -24,20 +24,27 @@ private:
   };
   using Position = SampleLattice::Position;
 
+  /// Where and how a linear function is fitted.
+  struct FitPlace
+  {
+    Position center;                                    ///< of the block of samples
+    Vector origin;                                      ///< the point from which distances count
+    Vector target;                                      ///< the point at which the fit is evaluated
+    double (*weight)(double squaredDistance) = nullptr; ///< of a sample, by its distance in native cells
+  };
+
   bool sampleNear(std::size_t group, MaterialId m, const Vector& point) const;
-  /// Multilinear interpolation over the samples round the point; those that don't count for m are filled.
+  /// Multilinear interpolation where all samples round the point count for m, else a fit to those that do.
   void interpolate(std::size_t group, MaterialId m, const Vector& point, double* result) const;
   /// The mean of m's samples round the point with the weights of multilinear interpolation, else the nearest
   /// sample of m.
   void average(std::size_t group, MaterialId m, const Vector& point, double* result) const;
   /// Linear extrapolation from m's samples near `closest`.
   void extrapolate(std::size_t group, MaterialId m, const Vector& point, const Vector& closest, double* result) const;
-  /// Adds `factor` times the linear fit to m's samples round `center`, weighted by their distance from
-  /// `origin`, at `point`. False where there are no samples.
-  bool addFitRound(std::size_t group, MaterialId m, const Position& center, const Vector& origin, const Vector& point,
-    double factor, double* result) const;
-  void collect(std::size_t group, MaterialId m, const Position& center, const Vector& origin, const Vector& spacing,
-    Index radius, FitSamples& samples) const;
+  /// Adds the linear fit to m's samples in a block. False where there are none.
+  bool addFitRound(std::size_t group, MaterialId m, const FitPlace& place, double* result) const;
+  void collect(std::size_t group, MaterialId m, const FitPlace& place, const Vector& spacing, Index radius,
+    FitSamples& samples) const;
 
   std::vector<Layout> layouts_;
 };

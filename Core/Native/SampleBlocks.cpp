@@ -11,22 +11,6 @@ namespace strata
 namespace
 {
 constexpr Index blockSize = 8;
-
-template<typename Visit>
-void forEachSample(const SampleLattice& lattice, const SampleLattice::Position& begin,
-  const SampleLattice::Position& end, const Visit& visit)
-{
-  for (Index k = begin[2]; k < end[2]; ++k)
-  {
-    for (Index j = begin[1]; j < end[1]; ++j)
-    {
-      for (Index i = begin[0]; i < end[0]; ++i)
-      {
-        visit(lattice.index({ i, j, k }));
-      }
-    }
-  }
-}
 }
 
 SampleBlocks::SampleBlocks(const SampleLattice& lattice, const SampleMaterials& materials, Progress& progress)
@@ -39,21 +23,22 @@ SampleBlocks::SampleBlocks(const SampleLattice& lattice, const SampleMaterials& 
   sets_.resize(static_cast<std::size_t>(blockCount));
   tbb::parallel_for(Index{ 0 }, blockCount, [&](Index block) {
     progress.check();
-    const Range range = samplesOf(lattice, block);
+    const Extent extent = samplesOf(lattice, block);
     MaterialSet& set = sets_[static_cast<std::size_t>(block)];
-    forEachSample(lattice, range.begin, range.end, [&](Index sample) { set = set | materials[sample]; });
+    forEachPosition(
+      extent.first, extent.last, [&](const auto& position) { set = set | materials[lattice.index(position)]; });
   });
 }
 
-SampleBlocks::Range SampleBlocks::samplesOf(const SampleLattice& lattice, Index block) const
+SampleBlocks::Extent SampleBlocks::samplesOf(const SampleLattice& lattice, Index block) const
 {
-  Range result;
+  Extent result;
   const SampleLattice::Position position = { block % counts_[0], (block / counts_[0]) % counts_[1],
     block / (counts_[0] * counts_[1]) };
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    result.begin[axis] = blockSize * position[axis];
-    result.end[axis] = std::min(result.begin[axis] + blockSize, lattice.count(static_cast<int>(axis)));
+    result.first[axis] = blockSize * position[axis];
+    result.last[axis] = std::min(result.first[axis] + blockSize, lattice.count(static_cast<int>(axis))) - 1;
   }
   return result;
 }
@@ -66,10 +51,10 @@ Index SampleBlocks::nearest(
   {
     if (sets_[block].contains(m))
     {
-      const Range range = samplesOf(lattice, static_cast<Index>(block));
+      const Extent extent = samplesOf(lattice, static_cast<Index>(block));
       Box box;
-      box.add(lattice.point(range.begin));
-      box.add(lattice.point({ range.end[0] - 1, range.end[1] - 1, range.end[2] - 1 }));
+      box.add(lattice.point(extent.first));
+      box.add(lattice.point(extent.last));
       blocks.emplace_back(box.squaredDistance(point), static_cast<Index>(block));
     }
   }
@@ -78,11 +63,12 @@ Index SampleBlocks::nearest(
   std::pair<double, Index> best(std::numeric_limits<double>::infinity(), -1);
   while (!blocks.empty() && blocks.front().first <= best.first)
   {
-    const Range range = samplesOf(lattice, blocks.front().second);
-    forEachSample(lattice, range.begin, range.end, [&](Index sample) {
+    const Extent extent = samplesOf(lattice, blocks.front().second);
+    forEachPosition(extent.first, extent.last, [&](const auto& position) {
+      const Index sample = lattice.index(position);
       if (materials[sample].contains(m))
       {
-        best = std::min(best, { (lattice.point(lattice.position(sample)) - point).squaredNorm(), sample });
+        best = std::min(best, { (lattice.point(position) - point).squaredNorm(), sample });
       }
     });
     std::pop_heap(blocks.begin(), blocks.end(), farther);

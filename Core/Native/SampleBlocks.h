@@ -29,6 +29,22 @@ struct SampleLattice
   Vector point(const Position& p) const { return { coordinate(0, p[0]), coordinate(1, p[1]), coordinate(2, p[2]) }; }
 };
 
+/// Visits the positions of a block, both corners included, the first axis fastest.
+template<typename Visit>
+void forEachPosition(const SampleLattice::Position& first, const SampleLattice::Position& last, const Visit& visit)
+{
+  for (Index k = first[2]; k <= last[2]; ++k)
+  {
+    for (Index j = first[1]; j <= last[1]; ++j)
+    {
+      for (Index i = first[0]; i <= last[0]; ++i)
+      {
+        visit(SampleLattice::Position{ i, j, k });
+      }
+    }
+  }
+}
+
 /// The materials in blocks of 8 x 8 x 8 samples of a lattice: finds the nearest sample of a material where
 /// there is none close by.
 class SampleBlocks
@@ -42,12 +58,12 @@ public:
     const SampleLattice& lattice, const SampleMaterials& materials, MaterialId m, const Vector& point) const;
 
 private:
-  struct Range
+  struct Extent
   {
-    SampleLattice::Position begin;
-    SampleLattice::Position end;
+    SampleLattice::Position first;
+    SampleLattice::Position last;
   };
-  Range samplesOf(const SampleLattice& lattice, Index block) const;
+  Extent samplesOf(const SampleLattice& lattice, Index block) const;
 
   std::array<Index, 3> counts_{};
   std::vector<MaterialSet> sets_;

@@ -162,7 +162,7 @@ void UnstructuredData::addFitRound(std::size_t group, MaterialId m, const Vector
     const LinearFit fit(near);
     if (fit.rank() == 3 || !neighbors.full() || size == fitSizes.back())
     {
-      addFit(samples, m, near, fit, (point - origin) / radius, 1.0, result);
+      addFit(samples, m, near, fit, (point - origin) / radius, result);
       return;
     }
   }
