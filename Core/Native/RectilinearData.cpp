@@ -11,123 +11,6 @@ namespace
 constexpr Index fitRadius = 2;
 constexpr Index wideFitRadius = 3;
 
-SampleLattice latticeOf(const RectilinearGrid& grid, Association association)
-{
-  SampleLattice result;
-  result.coordinates = grid.coordinates;
-  if (association == Association::Cells)
-  {
-    for (std::vector<double>& axis : result.coordinates)
-    {
-      for (std::size_t i = 0; i + 1 < axis.size(); ++i)
-      {
-        axis[i] = 0.5 * (axis[i] + axis[i + 1]);
-      }
-      axis.pop_back();
-    }
-  }
-  return result;
-}
-
-/// A coordinate between two neighbours of a lattice's list: at lower + fraction (upper - lower). Beyond the ends
-/// of the list the fraction is negative or above 1.
-struct Interval
-{
-  Index lower = 0;
-  double fraction = 0.0;
-};
-
-Interval intervalAt(const std::vector<double>& coordinates, double x)
-{
-  const auto count = static_cast<Index>(coordinates.size());
-  if (count == 1)
-  {
-    return {};
-  }
-  const Index upper = std::upper_bound(coordinates.begin(), coordinates.end(), x) - coordinates.begin();
-  const Index lower = std::clamp<Index>(upper - 1, 0, count - 2);
-  const double start = coordinates[static_cast<std::size_t>(lower)];
-  return { lower, (x - start) / (coordinates[static_cast<std::size_t>(lower) + 1] - start) };
-}
-
-/// The corners of the lattice cell round a point, with the weights of multilinear interpolation. Corners of
-/// weight 0 are left out, so that a sample's own position needs no other sample.
-class Corners
-{
-public:
-  Corners(const SampleLattice& lattice, const Vector& point, bool withinLattice)
-  {
-    std::array<Interval, 3> intervals;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      intervals[axis] = intervalAt(lattice.coordinates[axis], point[static_cast<Index>(axis)]);
-      if (withinLattice)
-      {
-        intervals[axis].fraction = std::clamp(intervals[axis].fraction, 0.0, 1.0);
-      }
-    }
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      add(intervals, corner);
-    }
-  }
-
-  struct Corner
-  {
-    SampleLattice::Position position;
-    double weight = 0.0;
-  };
-  const Corner* begin() const { return corners_.data(); }
-  const Corner* end() const { return corners_.data() + count_; }
-
-private:
-  void add(const std::array<Interval, 3>& intervals, int corner)
-  {
-    Corner& result = corners_[static_cast<std::size_t>(count_)];
-    result.weight = 1.0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const bool upper = ((corner >> axis) & 1) != 0;
-      result.position[axis] = intervals[axis].lower + (upper ? 1 : 0);
-      result.weight *= upper ? intervals[axis].fraction : 1.0 - intervals[axis].fraction;
-    }
-    count_ += result.weight != 0.0 ? 1 : 0;
-  }
-
-  std::array<Corner, 9> corners_;
-  int count_ = 0;
-};
-
-/// The lattice position nearest to a point along each axis.
-SampleLattice::Position nearestPosition(const SampleLattice& lattice, const Vector& point)
-{
-  SampleLattice::Position result{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const Interval interval = intervalAt(lattice.coordinates[axis], point[static_cast<Index>(axis)]);
-    result[axis] = interval.lower + (interval.fraction > 0.5 ? 1 : 0);
-  }
-  return result;
-}
-
-/// Distance between samples at a position, along each axis: the unit in which a fit measures, so that
-/// stretched cells weigh like cubes.
-Vector spacingAt(const SampleLattice& lattice, const SampleLattice::Position& position)
-{
-  Vector result = Vector::Ones();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const Index lower = std::max<Index>(position[static_cast<std::size_t>(axis)] - 1, 0);
-    const Index upper = std::min<Index>(position[static_cast<std::size_t>(axis)] + 1, lattice.count(axis) - 1);
-    if (upper > lower)
-    {
-      result[axis] =
-        (lattice.coordinate(axis, upper) - lattice.coordinate(axis, lower)) / static_cast<double>(upper - lower);
-    }
-  }
-  return result;
-}
-
 /// Weight in a fit that interpolates: so large at a sample that the fit takes its value there.
 double interpolationWeight(double squaredDistance)
 {
@@ -215,15 +98,16 @@ void RectilinearData::interpolate(std::size_t group, MaterialId m, const Vector&
 {
   const SampleGroup& samples = groups()[group];
   const SampleLattice& lattice = layouts_[group].lattice;
-  const Corners corners(lattice, point, false);
-  const bool complete = std::all_of(corners.begin(), corners.end(),
-    [&](const Corners::Corner& corner) { return samples.materials[lattice.index(corner.position)].contains(m); });
+  const LatticeCorners corners(lattice, point, false);
+  const bool complete = std::all_of(corners.begin(), corners.end(), [&](const LatticeCorners::Corner& corner) {
+    return samples.materials[lattice.index(corner.position)].contains(m);
+  });
   if (!complete)
   {
     addFitRound(group, m, { nearestPosition(lattice, point), point, point, interpolationWeight }, result);
     return;
   }
-  for (const Corners::Corner& corner : corners)
+  for (const LatticeCorners::Corner& corner : corners)
   {
     const auto sample = static_cast<SampleIndex>(lattice.index(corner.position));
     addSample(samples, m, samples.first + sample, corner.weight, result);
@@ -234,9 +118,9 @@ void RectilinearData::average(std::size_t group, MaterialId m, const Vector& poi
 {
   const SampleGroup& samples = groups()[group];
   const SampleLattice& lattice = layouts_[group].lattice;
-  const Corners corners(lattice, point, true);
+  const LatticeCorners corners(lattice, point, true);
   double sum = 0.0;
-  for (const Corners::Corner& corner : corners)
+  for (const LatticeCorners::Corner& corner : corners)
   {
     sum += samples.materials[lattice.index(corner.position)].contains(m) ? corner.weight : 0.0;
   }
@@ -246,7 +130,7 @@ void RectilinearData::average(std::size_t group, MaterialId m, const Vector& poi
     addSample(samples, m, samples.first + static_cast<SampleIndex>(nearest), 1.0, result);
     return;
   }
-  for (const Corners::Corner& corner : corners)
+  for (const LatticeCorners::Corner& corner : corners)
   {
     const Index sample = lattice.index(corner.position);
     if (samples.materials[sample].contains(m))
@@ -271,6 +155,7 @@ void RectilinearData::extrapolate(
 
 bool RectilinearData::addFitRound(std::size_t group, MaterialId m, const FitPlace& place, double* result) const
 {
+  // In units of the cells, so that stretched ones weigh like cubes.
   const Vector spacing = spacingAt(layouts_[group].lattice, place.center);
   const Vector target = (place.target - place.origin).cwiseQuotient(spacing);
   for (const Index radius : { fitRadius, wideFitRadius })
