@@ -4,25 +4,18 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace strata
 {
 namespace
 {
-/// Numbers of nearest samples that a linear function is fitted to; the larger ones where fewer don't spread in
-/// all directions.
-constexpr std::array<int, 3> fitSizes = { 16, 32, 64 };
 constexpr int averageSize = 8;
 /// Samples of a material are near a point within this many times their spacing, which is the distance from
 /// the nearest of them to its own third neighbour. In cubes of samples, sqrt(3) reaches all that share one.
 constexpr double nearSpacings = 1.5;
 constexpr int spacingNeighbors = 4;
-/// Squared distance, relative to the farthest sample fitted, below which samples weigh the same.
-constexpr double interpolationCore = 1e-12;
-/// The same for extrapolation, where no single sample must rule.
-constexpr double extrapolationCore = 0.1;
-
 std::vector<SampleIndex> samplesOf(const SampleMaterials& materials, MaterialId m)
 {
   std::vector<SampleIndex> result;
@@ -36,16 +29,22 @@ std::vector<SampleIndex> samplesOf(const SampleMaterials& materials, MaterialId 
   return result;
 }
 
-double interpolationWeight(double squaredDistance)
+/// So large at a sample that the fit takes its value there.
+double interpolationWeight(double relativeSquaredDistance)
 {
-  return 1.0 / (squaredDistance + interpolationCore);
+  const double wide = relativeSquaredDistance + 0.1;
+  return 1.0 / ((relativeSquaredDistance + 1e-12) * wide * wide);
 }
 
-double extrapolationWeight(double squaredDistance)
+/// No single sample must rule the slope with which a fit extrapolates far.
+double extrapolationWeight(double relativeSquaredDistance)
 {
-  const double root = 1.0 / (squaredDistance + extrapolationCore);
-  return root * root;
+  const double wide = relativeSquaredDistance + 0.3;
+  return 1.0 / (wide * wide);
 }
+
+constexpr FitRule interpolation = { 16, interpolationWeight };
+constexpr FitRule extrapolation = { 24, extrapolationWeight };
 }
 
 UnstructuredData::UnstructuredData(const Simulation& simulation, const NativeOptions& options, Progress& progress) :
@@ -113,13 +112,13 @@ bool UnstructuredData::sampleNear(std::size_t group, MaterialId m, const Vector&
 
 void UnstructuredData::interpolate(std::size_t group, MaterialId m, const Vector& point, double* result) const
 {
-  addFitRound(group, m, point, point, interpolationWeight, result);
+  addFitRound(group, m, point, point, interpolation, result);
 }
 
 void UnstructuredData::extrapolate(
   std::size_t group, MaterialId m, const Vector& point, const Vector& closest, double* result) const
 {
-  addFitRound(group, m, closest, point, extrapolationWeight, result);
+  addFitRound(group, m, closest, point, extrapolation, result);
 }
 
 void UnstructuredData::average(std::size_t group, MaterialId m, const Vector& point, double* result) const
@@ -142,42 +141,33 @@ void UnstructuredData::average(std::size_t group, MaterialId m, const Vector& po
   }
 }
 
-template<typename Weight>
-void UnstructuredData::addFitRound(std::size_t group, MaterialId m, const Vector& origin, const Vector& point,
-  const Weight& weight, double* result) const
+void UnstructuredData::addFitRound(
+  std::size_t group, MaterialId m, const Vector& origin, const Vector& point, const FitRule& rule, double* result) const
 {
   const SampleGroup& samples = groups()[group];
   const Cloud& cloud = clouds_[group];
-  for (const int size : fitSizes)
+  for (int size = rule.size;; size = std::min(2 * size, Neighbors::capacity))
   {
     Neighbors neighbors(size);
     cloud.trees[static_cast<std::size_t>(m.value)].nearest(cloud.points, origin, neighbors);
-    const double radius = std::sqrt(neighbors.farthest().squaredDistance);
-    if (radius == 0.0 || (neighbors[0].squaredDistance == 0.0 && origin == point))
+    const double unit = neighbors.farthest().squaredDistance;
+    if (unit == 0.0 || (neighbors[0].squaredDistance == 0.0 && origin == point))
     {
       addSample(samples, m, samples.first + neighbors[0].sample, 1.0, result);
       return;
     }
-    const FitSamples near = collect(group, neighbors, origin, radius, weight);
-    const LinearFit fit(near);
-    if (fit.rank() == 3 || !neighbors.full() || size == fitSizes.back())
+    FitSamples near;
+    for (int i = 0; i < neighbors.count; ++i)
     {
-      addFit(samples, m, near, fit, (point - origin) / radius, result);
+      const Vector offset = (cloud.points[neighbors[i].sample] - origin) / std::sqrt(unit);
+      near.add(samples.first + neighbors[i].sample, offset, rule.weight(offset.squaredNorm()));
+    }
+    const LinearFit fit(near);
+    if (fit.rank() == 3 || !neighbors.full() || size == Neighbors::capacity)
+    {
+      addFit(samples, m, near, fit, (point - origin) / std::sqrt(unit), result);
       return;
     }
   }
-}
-
-template<typename Weight>
-FitSamples UnstructuredData::collect(
-  std::size_t group, const Neighbors& neighbors, const Vector& origin, double radius, const Weight& weight) const
-{
-  FitSamples result;
-  for (int i = 0; i < neighbors.count; ++i)
-  {
-    const Vector offset = (clouds_[group].points[neighbors[i].sample] - origin) / radius;
-    result.add(groups()[group].first + neighbors[i].sample, offset, weight(offset.squaredNorm()));
-  }
-  return result;
 }
 }

@@ -5,6 +5,15 @@
 
 namespace strata
 {
+/// How a linear function is fitted: to how many of the nearest samples (twice as many, up to what Neighbors
+/// can hold, where they don't spread in all directions), and how a sample weighs by its squared distance
+/// relative to that of the farthest.
+struct FitRule
+{
+  int size;
+  double (*weight)(double relativeSquaredDistance);
+};
+
 /// Native data on an unstructured grid: linear fits to a material's samples near a point. Cell samples lie
 /// at the cells' centres of volume.
 class UnstructuredData final : public SampledData
@@ -32,13 +41,9 @@ private:
   void average(std::size_t group, MaterialId m, const Vector& point, double* result) const;
   /// Linear extrapolation from m's samples near `closest`.
   void extrapolate(std::size_t group, MaterialId m, const Vector& point, const Vector& closest, double* result) const;
-  template<typename Weight>
-  void addFitRound(std::size_t group, MaterialId m, const Vector& origin, const Vector& point, const Weight& weight,
+  /// Adds the linear fit to m's samples nearest to `origin`, at `point`.
+  void addFitRound(std::size_t group, MaterialId m, const Vector& origin, const Vector& point, const FitRule& rule,
     double* result) const;
-  /// m's nearest samples, with offsets in units of the distance of the farthest.
-  template<typename Weight>
-  FitSamples collect(
-    std::size_t group, const Neighbors& neighbors, const Vector& origin, double radius, const Weight& weight) const;
 
   std::vector<Cloud> clouds_;
 };

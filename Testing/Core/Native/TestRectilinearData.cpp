@@ -180,3 +180,52 @@ TEST(RectilinearData, WorksOnAGridOneCellThick)
     }
   }
 }
+
+TEST(RectilinearData, ApproachesTheSamplesValueBesideTheInterface)
+{
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  const Function noise = [&](MaterialId, const Vector&) { return number(random); };
+  const auto data = read(twoMaterials(boxGrid(6, 7, 5), outsideBall, noise));
+  for (SampleIndex sample = 0; sample < data->sampleCount(); ++sample)
+  {
+    for (const MaterialId m : materialsOf(*data, sample))
+    {
+      const Vector near = positionOf(*data, sample) + 1e-5 * randomPoint(random, -1.0, 1.0);
+      EXPECT_NEAR(valueAt(*data, m, near), sampleValue(*data, FieldId(0), m, sample), 1e-2);
+    }
+  }
+}
+
+TEST(RectilinearData, InterpolatesMultilinearlyWhereAllSamplesRoundThePointCount)
+{
+  // Without an interface, a product of linear functions is its own multilinear interpolation.
+  const Function field = [](MaterialId, const Vector& p) { return (1.0 + p.x()) * (2.0 - p.y()) * (0.5 + p.z()); };
+  const auto data = read(twoMaterials(
+    boxGrid(5, 4, 3, 1.2), [](const Vector&) { return 1.0; }, field));
+  std::mt19937 random(9);
+  for (int i = 0; i < 100; ++i)
+  {
+    const Vector point = randomPoint(random);
+    EXPECT_NEAR(valueAt(*data, block, point), field(block, point), 1e-12);
+  }
+}
+
+TEST(RectilinearData, IgnoresTheOtherMaterialsValues)
+{
+  const Function one = [](MaterialId m, const Vector& p) { return m == block ? p.x() : 0.0; };
+  const Function other = [](MaterialId m, const Vector& p) { return m == block ? p.x() : 1e6 * p.y(); };
+  const auto first = read(twoMaterials(boxGrid(8, 8, 8), outsideBall, one));
+  const auto second = read(twoMaterials(boxGrid(8, 8, 8), outsideBall, other));
+  std::mt19937 random(10);
+  for (int i = 0; i < 200; ++i)
+  {
+    const Vector point = randomPoint(random);
+    const Vector closest = closestOnBall(point);
+    for (const GhostMethod method : methods)
+    {
+      EXPECT_EQ(
+        valueAt(*first, block, point, false, closest, method), valueAt(*second, block, point, false, closest, method));
+    }
+  }
+}
