@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace strata
 {
@@ -61,15 +62,17 @@ struct CutPoint
     return count;
   }
 
-  /// Interpolates a quantity given as a function of the vertex id.
+  /// Interpolates a quantity given as a function of the vertex id. What is equal at all carriers stays exactly so:
+  /// points of a face in a coordinate plane lie in that plane.
   template<typename ValueOfVertex>
   auto interpolate(const ValueOfVertex& valueOf) const
   {
     using Value = std::decay_t<decltype(valueOf(key.vertices[0]))>;
-    Value sum = weights[0] * valueOf(key.vertices[0]);
+    const Value first = valueOf(key.vertices[0]);
+    Value sum = first;
     for (int i = 1; i < 4 && key.vertices[i] >= 0; ++i)
     {
-      sum += weights[i] * valueOf(key.vertices[i]);
+      sum += weights[i] * (valueOf(key.vertices[i]) - first);
     }
     return sum;
   }
