@@ -45,6 +45,7 @@ int vtkStrataMaterialInterfaces::RequestData(
     {
       conversion::writeGridErrors(input.grid, read, found.cellVolumeErrors, output);
     }
+    conversion::writeAssembly(read.simulation.materials, output);
   });
 }
 

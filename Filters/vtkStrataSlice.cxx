@@ -2,11 +2,15 @@
 
 #include "MaterialsFilterLists.h"
 
+#include "Conversion/CaseData.h"
 #include "Conversion/Guarded.h"
 #include "Conversion/InputRepresentation.h"
 #include "Conversion/OutputSlice.h"
 
+#include "Slice/SliceIndex.h"
+
 #include "vtkAppendPolyData.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -22,6 +26,30 @@ vtkStandardNewMacro(vtkStrataSlice);
 
 struct vtkStrataSlice::Internals
 {
+  /// Views the input; the view is kept while the input stays. A search structure is made when the same mesh is cut for
+  /// the second time: for a single cut it costs more than it saves.
+  void prepare(vtkDataObject* data, strata::Progress& progress)
+  {
+    const std::uint64_t time = conversion::modifiedTime(data);
+    if (data != this->source || time != this->sourceTime)
+    {
+      this->index.reset();
+      this->source = nullptr;
+      this->input = conversion::readRepresentation(data);
+      this->source = data;
+      this->sourceTime = time;
+    }
+    else if (!this->index)
+    {
+      this->index = std::make_unique<strata::SliceIndex>(this->input.view, progress);
+    }
+  }
+
+  const vtkDataObject* source = nullptr;
+  std::uint64_t sourceTime = 0;
+  conversion::RepresentationInput input;
+  std::unique_ptr<strata::SliceIndex> index;
+
   /// The plane as it acts: subclasses of vtkPlane, like ParaView's with its offset, say by their function where it
   /// lies.
   static strata::SlicePlane planeOf(vtkPlane* plane)
@@ -94,16 +122,16 @@ int vtkStrataSlice::RequestData(vtkInformation*, vtkInformationVector** inputs, 
 {
   auto* output = vtkPolyData::GetData(outputs);
   return conversion::guarded(this, output, [&](strata::Progress& progress) {
-    const auto input = conversion::readRepresentation(vtkDataObject::GetData(inputs[0]));
-    const strata::MaterialSet materials =
-      conversion::chosenMaterials(this->MaterialLists->materials, input.view.materials);
+    this->State->prepare(vtkDataObject::GetData(inputs[0]), progress);
+    const strata::Representation& mesh = this->State->input.view;
+    const strata::MaterialSet materials = conversion::chosenMaterials(this->MaterialLists->materials, mesh.materials);
     strata::SlicePlane plane = Internals::planeOf(this->SliceType);
     vtkNew<vtkAppendPolyData> all;
     for (const double offset : this->SliceOffsets)
     {
       plane.offset = offset;
       vtkNew<vtkPolyData> one;
-      conversion::writeSlice(strata::slice(input.view, plane, materials, nullptr, progress), input.view, one);
+      conversion::writeSlice(strata::slice(mesh, plane, materials, this->State->index.get(), progress), mesh, one);
       all->AddInputData(one);
     }
     if (this->SliceOffsets.size() == 1)

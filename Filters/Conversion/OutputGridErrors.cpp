@@ -5,7 +5,6 @@
 #include <vtkCellData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
-#include <vtkDataAssembly.h>
 #include <vtkDoubleArray.h>
 #include <vtkInformation.h>
 #include <vtkPartitionedDataSetCollection.h>
@@ -78,7 +77,5 @@ void writeGridErrors(vtkDataObject* grid, const ReadSimulationResult& read,
     output->SetPartition(number, static_cast<unsigned int>(b), copy);
   }
   output->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), names::grid);
-  vtkDataAssembly* assembly = output->GetDataAssembly();
-  assembly->AddDataSetIndex(assembly->AddNode(names::grid), number);
 }
 }

@@ -106,10 +106,7 @@ vtkSmartPointer<vtkPolyData> surfaceOf(
   vtkNew<vtkCellArray> cells;
   cells->SetData(3, give<vtkTypeInt64Array>("", std::move(own.corners)));
   output->SetPolys(cells);
-  const auto count = static_cast<Index>(surface.triangles.size());
-  output->GetCellData()->AddArray(constant(names::positive, surface.positive.value, count));
-  output->GetCellData()->AddArray(constant(names::negative, surface.negative.value, count));
-  writeMaterials(materials, output->GetFieldData());
+  labelSurface(output, surface.positive, surface.negative, materials);
   return output;
 }
 
@@ -121,31 +118,59 @@ int addLabelled(vtkDataAssembly* assembly, const std::string& label, int parent)
 }
 }
 
+void labelSurface(vtkPolyData* surface, MaterialId positive, MaterialId negative, const Materials& materials)
+{
+  const Index count = surface->GetNumberOfCells();
+  surface->GetCellData()->AddArray(constant(names::positive, positive.value, count));
+  surface->GetCellData()->AddArray(constant(names::negative, negative.value, count));
+  writeMaterials(materials, surface->GetFieldData());
+}
+
 void writeInterfaces(const Interfaces& interfaces, const Materials& materials, vtkPartitionedDataSetCollection* output)
 {
-  vtkNew<vtkDataAssembly> assembly;
-  assembly->SetRootNodeName("Interfaces");
-  const int pairs = assembly->AddNode("pairs");
-  const int byMaterial = assembly->AddNode("materials");
-  std::vector<int> nodes;
-  for (const Material& material : materials)
-  {
-    nodes.push_back(addLabelled(assembly, material.name, byMaterial));
-  }
   for (const Interfaces::Surface& surface : interfaces.surfaces)
   {
-    const auto positive = static_cast<std::size_t>(surface.positive.value);
-    const auto negative = static_cast<std::size_t>(surface.negative.value);
-    const std::string name = materials[positive].name + "|" + materials[negative].name;
+    const std::string name = materials[static_cast<std::size_t>(surface.positive.value)].name + "|" +
+                             materials[static_cast<std::size_t>(surface.negative.value)].name;
     const unsigned int block = output->GetNumberOfPartitionedDataSets();
     output->SetPartition(block, 0, surfaceOf(interfaces, surface, materials));
     output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+  }
+  writeMaterials(materials, output->GetFieldData());
+}
+
+void writeAssembly(const Materials& materials, vtkPartitionedDataSetCollection* output)
+{
+  vtkNew<vtkDataAssembly> assembly;
+  assembly->SetRootNodeName("Strata");
+  const int pairs = assembly->AddNode("pairs");
+  const int byMaterial = assembly->AddNode("materials");
+  std::map<std::string, int> nodes;
+  for (const Material& material : materials)
+  {
+    nodes[material.name] = addLabelled(assembly, material.name, byMaterial);
+  }
+  for (unsigned int block = 0; block < output->GetNumberOfPartitionedDataSets(); ++block)
+  {
+    const char* metaName = output->GetMetaData(block)->Get(vtkCompositeDataSet::NAME());
+    const std::string name = metaName ? metaName : "";
+    const std::size_t bar = name.find('|');
+    if (bar == std::string::npos)
+    {
+      assembly->AddDataSetIndex(addLabelled(assembly, name, assembly->GetRootNode()), block);
+      continue;
+    }
     assembly->AddDataSetIndex(addLabelled(assembly, name, pairs), block);
-    assembly->AddDataSetIndex(nodes[positive], block);
-    assembly->AddDataSetIndex(nodes[negative], block);
+    for (const std::string& material : { name.substr(0, bar), name.substr(bar + 1) })
+    {
+      const auto node = nodes.find(material);
+      if (node != nodes.end())
+      {
+        assembly->AddDataSetIndex(node->second, block);
+      }
+    }
   }
   output->SetDataAssembly(assembly);
-  writeMaterials(materials, output->GetFieldData());
 }
 
 void writeVolumes(const std::vector<VolumeReport>& volumes, vtkFieldData* data)
