@@ -16,7 +16,7 @@ TEST(SampleBlocks, FindsTheNearestSampleOfAMaterial)
     std::mt19937 random(seed);
     Simulation simulation;
     const RectilinearGrid grid = boxGrid(9 + static_cast<int>(seed), 17, 8, 1.05);
-    simulation.grid = grid;
+    simulation.grid.emplace<RectilinearGrid>(grid);
     simulation.materials = { { "block", true }, { "rod", true } };
     for (Index cell = 0; cell < grid.cellCount(); ++cell)
     {
