@@ -263,9 +263,15 @@ void addOutside(const InputGrid& input, Simulation& simulation)
   }
 }
 
+/// "None" is how ParaView's panel says that no array is chosen.
+bool namesIds(const SimulationOptions& options)
+{
+  return !options.materialIdArray.empty() && options.materialIdArray != "None";
+}
+
 std::string idArray(const InputGrid& input, const SimulationOptions& options)
 {
-  if (!options.materialIdArray.empty())
+  if (namesIds(options))
   {
     return options.materialIdArray;
   }
@@ -299,7 +305,7 @@ FractionArrays ofCase(const InputGrid& input, const CaseDescription& description
 MaterialRoles readMaterials(const InputGrid& input, const CaseDescription& description,
   const SimulationOptions& options, Simulation& simulation, Warnings& warnings)
 {
-  const bool userSays = !options.volumeFractionArrays.empty() || !options.materialIdArray.empty();
+  const bool userSays = !options.volumeFractionArrays.empty() || namesIds(options);
   FractionArrays arrays;
   if (!options.volumeFractionArrays.empty())
   {
