@@ -1,6 +1,7 @@
 #include "Pipeline.h"
 
 #include "Build/HierarchyBuilder.h"
+#include "FittedLevel.h"
 #include "Model/Errors.h"
 #include "Select/Front.h"
 #include "Select/Saturate.h"
@@ -113,6 +114,13 @@ bool meets(const Achieved& achieved, const ErrorBounds& bounds)
   }
   return result;
 }
+
+/// Fitting serves levels by bounds; a budget, a region or a view takes the direct method.
+bool isFitted(const SelectOptions& options)
+{
+  return options.errorMethod == ErrorMethod::Fitted && options.interest.everything() &&
+         options.maximumNumberOfCells == std::numeric_limits<Index>::max();
+}
 }
 
 struct Multiresolution::State
@@ -127,6 +135,8 @@ struct Multiresolution::State
   Level select(const SelectOptions& select, Progress& progress);
   Level selectDirect(const SelectOptions& select, Progress& progress);
   Level selectWithinFinest(const SelectOptions& select, Progress& progress);
+  Mesh emitSelected(const SelectOptions& select, const EmitOptions& emitted, Progress& progress);
+  Mesh emitFitted(const SelectOptions& select, const EmitOptions& emitted, Progress& progress);
 };
 
 void Multiresolution::State::grow(
@@ -205,9 +215,26 @@ Level Multiresolution::State::select(const SelectOptions& select, Progress& prog
     case ErrorMethod::Accumulated:
       return selectWithinFinest(select, progress);
     case ErrorMethod::Fitted:
-      break;
+      return selectDirect(select, progress);
   }
-  throw InvalidInput("the error method 'Fitted' is not available yet");
+  return {};
+}
+
+Mesh Multiresolution::State::emitSelected(const SelectOptions& chosen, const EmitOptions& emitted, Progress& progress)
+{
+  const Level level = select(chosen, progress);
+  progress.stage("Writing the mesh", buildShare, 1.0);
+  return emitMesh(hierarchy(), level, emitted, progress);
+}
+
+Mesh Multiresolution::State::emitFitted(const SelectOptions& select, const EmitOptions& emitted, Progress& progress)
+{
+  FitOptions fit;
+  fit.maximumLevel = options.maximumLevel;
+  FittedLevel fitted = fitLevel(*builder, select.bounds, fit, progress);
+  fitted.level.achieved.stoppedBy = "bounds met";
+  progress.stage("Writing the mesh", buildShare, 1.0);
+  return emitMesh(fitted.values, fitted.level, emitted, progress);
 }
 
 Multiresolution::Multiresolution(
@@ -235,9 +262,8 @@ Mesh Multiresolution::level(const SelectOptions& options, Progress& progress, co
       state_->builder =
         std::make_unique<HierarchyBuilder>(state_->native, state_->interfaces, state_->options, progress);
     }
-    const Level level = state_->select(options, progress);
-    progress.stage("Writing the mesh", buildShare, 1.0);
-    Mesh mesh = emitMesh(state_->hierarchy(), level, emitted, progress);
+    Mesh mesh = isFitted(options) ? state_->emitFitted(options, emitted, progress)
+                                  : state_->emitSelected(options, emitted, progress);
     if (options.interest.everything())
     {
       mesh.achieved.boundMet = meets(mesh.achieved, options.bounds);

@@ -137,6 +137,33 @@ bool meets(const Barycentric& cell, const std::array<Vector, 3>& triangle)
   return true;
 }
 
+CellElements united(const std::vector<const CellElements*>& parts)
+{
+  std::array<std::vector<std::uint32_t>, 3> kinds;
+  for (const CellElements* part : parts)
+  {
+    kinds[0].insert(kinds[0].end(), part->samples(), part->samples() + part->sampleCount());
+    kinds[1].insert(kinds[1].end(), part->vertices(), part->vertices() + part->vertexCount());
+    kinds[2].insert(kinds[2].end(), part->triangles(), part->triangles() + part->triangleCount());
+  }
+  for (std::vector<std::uint32_t>& ids : kinds)
+  {
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  }
+  CellElements result;
+  result.sampleEnd = static_cast<std::uint32_t>(kinds[0].size());
+  result.vertexEnd = result.sampleEnd + static_cast<std::uint32_t>(kinds[1].size());
+  result.triangleEnd = result.vertexEnd + static_cast<std::uint32_t>(kinds[2].size());
+  result.ids.reset(new std::uint32_t[result.triangleEnd]);
+  std::uint32_t* next = result.ids.get();
+  for (const std::vector<std::uint32_t>& ids : kinds)
+  {
+    next = std::copy(ids.begin(), ids.end(), next);
+  }
+  return result;
+}
+
 CellElements elementsWithin(
   const Barycentric& cell, const CellElements& all, const NativeData& native, const InterfaceElements& interfaces)
 {

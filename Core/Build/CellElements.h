@@ -54,6 +54,9 @@ constexpr double faceTolerance = 1e-9;
 CellElements elementsWithin(
   const Barycentric& cell, const CellElements& all, const NativeData& native, const InterfaceElements& interfaces);
 
+/// Elements of several cells together, each once.
+CellElements united(const std::vector<const CellElements*>& parts);
+
 /// Whether a triangle meets a tetrahedron.
 bool meets(const Barycentric& cell, const std::array<Vector, 3>& triangle);
 }

@@ -1,6 +1,6 @@
 #include "Build/HierarchyBuilder.h"
 
-#include "Build/CellErrors.h"
+#include "Build/CellRowsOf.h"
 #include "Model/Errors.h"
 
 #include <tbb/parallel_for.h>
@@ -291,6 +291,36 @@ void HierarchyBuilder::finishCell(CellId id, const CellElements& candidates, Mat
   hierarchy_.interfaceErrors[c] = errors.interfaceError;
   std::copy(errors.fieldErrors.begin(), errors.fieldErrors.end(),
     hierarchy_.fieldErrors.begin() + static_cast<std::ptrdiff_t>(c * hierarchy_.fields.size()));
+}
+
+CellElements HierarchyBuilder::gatherElements(CellId top) const
+{
+  std::vector<const CellElements*> parts;
+  std::vector<CellId> stack = { top };
+  while (!stack.empty())
+  {
+    const CellId c = stack.back();
+    stack.pop_back();
+    const CellId child = hierarchy_.cell(c).firstChild;
+    if (!child.valid())
+    {
+      parts.push_back(&elements_[static_cast<std::size_t>(c.value)]);
+      continue;
+    }
+    stack.push_back(child);
+    stack.push_back(CellId(child.value + 1));
+  }
+  return united(parts);
+}
+
+CellRows HierarchyBuilder::rows(CellId cell) const
+{
+  return cellRows(hierarchy_, cell, Barycentric(cornerPositions(cell)), gatherElements(cell), *native_, interfaces_);
+}
+
+CellErrors HierarchyBuilder::errors(const Hierarchy& values, CellId cell) const
+{
+  return cellErrors(values, cell, Barycentric(cornerPositions(cell)), gatherElements(cell), *native_, interfaces_);
 }
 
 void HierarchyBuilder::split(const std::vector<DiamondId>& diamonds, Progress& progress)

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "Build/CellElements.h"
+#include "Build/CellErrors.h"
 #include "Build/VertexValues.h"
+#include "Model/CellRows.h"
 #include "Model/Hierarchy.h"
 #include "Model/Progress.h"
 
@@ -23,7 +25,13 @@ public:
   /// Splits diamonds all of whose parents are split and that are not split themselves.
   void split(const std::vector<DiamondId>& diamonds, Progress& progress);
 
+  /// A cell's native elements as rows; for a cell that is split, gathered from its descendants.
+  CellRows rows(CellId cell) const;
+  /// A cell's own errors with other values at the vertices: `values` is this hierarchy but for those.
+  CellErrors errors(const Hierarchy& values, CellId cell) const;
+
 private:
+  CellElements gatherElements(CellId cell) const;
   void makeBaseMesh();
   void fillBaseMesh(Progress& progress);
   CellId addCell(const std::array<VertexId, 4>& corners, std::uint8_t tag, std::uint8_t level);

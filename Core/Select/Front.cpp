@@ -44,8 +44,7 @@ bool Front::activate(const Hierarchy& hierarchy, const LatticePoint& center)
   return true;
 }
 
-std::vector<DiamondId> Front::advance(
-  const Hierarchy& hierarchy, const Criterion& criterion, double scale, Index maximumNumberOfCells)
+void Front::forgetMissing(const Hierarchy& hierarchy)
 {
   active_.resize(hierarchy.diamonds.size(), inactive);
   for (const DiamondId id : missing_)
@@ -53,6 +52,24 @@ std::vector<DiamondId> Front::advance(
     active_[static_cast<std::size_t>(id.value)] = inactive;
   }
   missing_.clear();
+}
+
+std::vector<DiamondId> Front::split(const Hierarchy& hierarchy, const std::vector<CellId>& cells)
+{
+  forgetMissing(hierarchy);
+  for (const CellId c : cells)
+  {
+    activate(hierarchy, hierarchy.diamond(hierarchy.cell(c).diamond).center);
+  }
+  resting_.insert(resting_.end(), pending_.begin(), pending_.end());
+  pending_.clear();
+  return missing_;
+}
+
+std::vector<DiamondId> Front::advance(
+  const Hierarchy& hierarchy, const Criterion& criterion, double scale, Index maximumNumberOfCells)
+{
+  forgetMissing(hierarchy);
   pending_.insert(pending_.end(), waiting_.begin(), waiting_.end());
   waiting_.clear();
   if (pending_.empty())

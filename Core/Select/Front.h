@@ -21,6 +21,11 @@ public:
   std::vector<DiamondId> advance(
     const Hierarchy& hierarchy, const Criterion& criterion, double scale, Index maximumNumberOfCells);
 
+  /// Splits the given cells of the mesh, and what conformity needs besides; their children are not looked at.
+  /// Returns the diamonds that have to be built before it can be called again with the same cells: none when
+  /// it is done.
+  std::vector<DiamondId> split(const Hierarchy& hierarchy, const std::vector<CellId>& cells);
+
   Index cellCount() const { return cellCount_; }
   /// Cells of the mesh (not in any order).
   const std::vector<CellId>& cells() const { return resting_; }
@@ -29,6 +34,7 @@ public:
 private:
   bool isActive(DiamondId id) const { return active_[static_cast<std::size_t>(id.value)] == active; }
   bool activate(const Hierarchy& hierarchy, const LatticePoint& center);
+  void forgetMissing(const Hierarchy& hierarchy);
 
   enum State : std::uint8_t
   {

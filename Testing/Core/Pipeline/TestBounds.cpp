@@ -10,9 +10,10 @@ namespace
 {
 using namespace test;
 
-SelectOptions bounds(double interfaceError, double fieldError)
+SelectOptions bounds(double interfaceError, double fieldError, ErrorMethod method = ErrorMethod::Direct)
 {
   SelectOptions options;
+  options.errorMethod = method;
   options.bounds = { interfaceError, { fieldError } };
   return options;
 }
@@ -56,10 +57,17 @@ double interpolated(const Mesh& mesh, const Buffer<float>& values, Index cell, c
   return sum;
 }
 
-TEST(Bounds, NoSampleIsFartherFromItsMaterialsFieldThanItsCellClaims)
+class BoundsBy : public testing::TestWithParam<ErrorMethod>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(EveryMethod, BoundsBy,
+  testing::Values(ErrorMethod::Direct, ErrorMethod::Saturated, ErrorMethod::Fitted, ErrorMethod::Accumulated));
+
+TEST_P(BoundsBy, NoSampleIsFartherFromItsMaterialsFieldThanItsCellClaims)
 {
   const SphereCase sphere = sphereCase(12, 3, wavyField);
-  const Mesh mesh = meshOf(sphere, bounds(0.02, 0.05));
+  const Mesh mesh = meshOf(sphere, bounds(0.02, 0.05, GetParam()));
   EXPECT_TRUE(mesh.achieved.boundMet);
   double largest = 0.0;
   double claimed = 0.0;
@@ -93,10 +101,10 @@ TEST(Bounds, NoSampleIsFartherFromItsMaterialsFieldThanItsCellClaims)
   EXPECT_NEAR(largest, claimed, 1e-6 * claimed);
 }
 
-TEST(Bounds, NoInterfaceVertexIsFartherFromThePlaneThanItsCellClaims)
+TEST_P(BoundsBy, NoInterfaceVertexIsFartherFromThePlaneThanItsCellClaims)
 {
   const SphereCase sphere = sphereCase(8, 3, wavyField);
-  const Mesh mesh = meshOf(sphere, bounds(0.01, 1.0));
+  const Mesh mesh = meshOf(sphere, bounds(0.01, 1.0, GetParam()));
   double largest = 0.0;
   for (const Vector& p : sphere.interfaces.points)
   {

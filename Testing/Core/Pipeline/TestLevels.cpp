@@ -47,7 +47,8 @@ TEST(Levels, EveryLevelConformsAndFillsTheBox)
     BuildOptions build;
     build.baseCubes = cubes;
     Multiresolution hierarchy = multiresolution(build);
-    for (const ErrorMethod method : { ErrorMethod::Direct, ErrorMethod::Saturated, ErrorMethod::Accumulated })
+    for (const ErrorMethod method :
+      { ErrorMethod::Direct, ErrorMethod::Saturated, ErrorMethod::Fitted, ErrorMethod::Accumulated })
     {
       for (const double scale : { 8.0, 2.0, 1.0 })
       {
@@ -112,7 +113,8 @@ TEST(Levels, ATighterBoundRefinesTheMeshOfALooserOne)
 
 TEST(Levels, TheWayToALevelDoesNotMatter)
 {
-  for (const ErrorMethod method : { ErrorMethod::Direct, ErrorMethod::Saturated, ErrorMethod::Accumulated })
+  for (const ErrorMethod method :
+    { ErrorMethod::Direct, ErrorMethod::Saturated, ErrorMethod::Fitted, ErrorMethod::Accumulated })
   {
     Multiresolution moved = multiresolution();
     levelOf(moved, bounds(0.05, 0.5, method));
@@ -125,11 +127,31 @@ TEST(Levels, TheWayToALevelDoesNotMatter)
 
 TEST(Levels, OneThreadAndTwoGiveTheSameBytes)
 {
-  Multiresolution two = multiresolution();
-  const Mesh withTwo = levelOf(two, bounds(0.01, 0.05));
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  Multiresolution single = multiresolution();
-  expectSameMesh(withTwo, levelOf(single, bounds(0.01, 0.05)));
+  for (const ErrorMethod method : { ErrorMethod::Direct, ErrorMethod::Fitted })
+  {
+    Multiresolution two = multiresolution();
+    const Mesh withTwo = levelOf(two, bounds(0.01, 0.05, method));
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    Multiresolution single = multiresolution();
+    expectSameMesh(withTwo, levelOf(single, bounds(0.01, 0.05, method)));
+  }
+}
+
+TEST(Levels, FittingNeedsFarFewerCellsForTheSameBounds)
+{
+  Multiresolution hierarchy = multiresolution();
+  const Mesh direct = levelOf(hierarchy, bounds(0.004, 0.02));
+  const Mesh fitted = levelOf(hierarchy, bounds(0.004, 0.02, ErrorMethod::Fitted));
+  EXPECT_TRUE(fitted.achieved.boundMet);
+  EXPECT_LT(static_cast<double>(fitted.cellCount()), 0.7 * static_cast<double>(direct.cellCount()));
+}
+
+TEST(Levels, FittingLeavesTheHierarchysOwnValuesAlone)
+{
+  Multiresolution hierarchy = multiresolution();
+  levelOf(hierarchy, bounds(0.01, 0.05, ErrorMethod::Fitted));
+  Multiresolution fresh = multiresolution();
+  expectSameMesh(levelOf(hierarchy, bounds(0.01, 0.05)), levelOf(fresh, bounds(0.01, 0.05)));
 }
 
 TEST(Levels, ABudgetGivesTheLevelWithTheSmallestErrorThatFits)
