@@ -1,0 +1,103 @@
+// The paper's choices beside Strata's own at equal bounds, on the impact (the target `compare` runs it).
+
+#include "Extract/Extract.h"
+#include "Impact.h"
+#include "Pipeline.h"
+
+#include <chrono>
+#include <cstdio>
+
+using namespace strata;
+using namespace strata::benchmarks;
+
+namespace
+{
+struct Choices
+{
+  const char* name;
+  DistanceMethod distance;
+  GhostMethod ghost;
+  ErrorMethod error;
+  /// How much tighter than the level's bounds the hierarchy is built: nested errors look that deep.
+  double depth = 1.0;
+};
+
+constexpr auto paperDistance = DistanceMethod::ClosestVertex;
+constexpr auto paperGhosts = GhostMethod::Constant;
+constexpr auto ownDistance = DistanceMethod::ClosestPoint;
+constexpr auto ownGhosts = GhostMethod::DataThenLinear;
+constexpr Choices all[] = {
+  { "paper", paperDistance, paperGhosts, ErrorMethod::Accumulated },
+  { "paper, hierarchy 3x finer", paperDistance, paperGhosts, ErrorMethod::Accumulated, 3.0 },
+  { "closest point, constant", ownDistance, paperGhosts, ErrorMethod::Direct },
+  { "closest point, linear", ownDistance, GhostMethod::Linear, ErrorMethod::Direct },
+  { "Strata", ownDistance, ownGhosts, ErrorMethod::Direct },
+  { "Strata saturated, 3x finer", ownDistance, ownGhosts, ErrorMethod::Saturated, 3.0 },
+  { "Strata accumulated, 3x finer", ownDistance, ownGhosts, ErrorMethod::Accumulated, 3.0 },
+};
+
+/// The paper's choices never meet some bounds: cells stop here, 2^10 times finer along each edge than the box.
+constexpr int maximumLevel = 30;
+
+struct Outcome
+{
+  Index cells;
+  double seconds;
+  Achieved achieved;
+};
+
+Outcome run(const Impact& data, const Interfaces& interfaces, const Choices& choices, const ErrorBounds& wanted)
+{
+  BuildOptions build;
+  build.maximumLevel = maximumLevel;
+  build.distanceMethod = choices.distance;
+  build.ghostMethod = choices.ghost;
+  SelectOptions select;
+  select.bounds = wanted;
+  select.finestBounds = bounds(wanted.interfaceError / choices.depth, wanted.fieldErrors.front() / choices.depth);
+  select.errorMethod = choices.error;
+  Progress progress;
+  const auto start = std::chrono::steady_clock::now();
+  const Mesh mesh = Multiresolution(data.native, interfaces, build).level(select, progress);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  return { mesh.cellCount(), seconds.count(), mesh.achieved };
+}
+
+void compare(const Impact& data, const Interfaces& interfaces, const ErrorBounds& wanted)
+{
+  std::printf("\ninterface bound %g, density bound %g\n", wanted.interfaceError, wanted.fieldErrors.front());
+  std::printf("%-28s %10s %9s %10s %9s %9s  %s\n", "choices", "cells", "of paper", "interface", "density", "seconds",
+    "stopped by");
+  double ofPaper = 0.0;
+  for (const Choices& choices : all)
+  {
+    const Outcome outcome = run(data, interfaces, choices, wanted);
+    const auto cells = static_cast<double>(outcome.cells);
+    ofPaper = ofPaper > 0.0 ? ofPaper : cells;
+    std::printf("%-28s %10.0f %9.3f %10.4f %9.4f %9.3f  %s\n", choices.name, cells, cells / ofPaper,
+      outcome.achieved.interfaceError, outcome.achieved.fieldErrors.front(), outcome.seconds,
+      outcome.achieved.stoppedBy.c_str());
+  }
+}
+}
+
+/// With an argument: the resolution, 32 by default.
+int main(int argc, char** argv)
+{
+  const int series = argc > 1 ? std::stoi(argv[1]) : 32;
+  const Impact& data = impact(series);
+  Progress progress;
+  for (const bool corrected : { false, true })
+  {
+    ExtractOptions options;
+    options.volumeCorrection = corrected;
+    const Interfaces interfaces = extractInterfaces(data.simulation, options, progress).interfaces;
+    std::printf("\nimpact %d, interfaces from fractions %s: %ld triangles\n", series,
+      corrected ? "with corrected volumes" : "on the dual grid (the paper's way)",
+      static_cast<long>(interfaces.triangleCount()));
+    for (const ErrorBounds& wanted : { bounds(0.15, 3.0), bounds(0.15, 0.3), bounds(0.05, 0.5) })
+    {
+      compare(data, interfaces, wanted);
+    }
+  }
+}
