@@ -1,90 +1,88 @@
 #include "Extract/CorrectVolumes.h"
 
-#include "Extract/CellCutter.h"
-#include "Extract/CellsAround.h"
-
-#include <Eigen/Dense>
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
+#include "Extract/CellVolumes.h"
+#include "Extract/ForEach.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
+#include <limits>
 
 namespace strata
 {
 namespace
 {
 constexpr int maximumSweeps = 30;
-/// Errors of a cell, as a part of its volume, below which sweeping ends.
+/// Sweeping ends as well when this many sweeps leave more than this part of the errors, but not before the first
+/// ones: calling regions back costs errors at first.
+constexpr int firstSweeps = 15;
+constexpr int stallSweeps = 5;
+constexpr double stallRatio = 0.97;
+/// Errors as parts of a cell's volume: a cell below the first asks for nothing; sweeps end when all are below the
+/// second; a region that is missing is not called back below the third.
+constexpr double quietError = 1e-4;
 constexpr double cellTolerance = 4e-4;
-constexpr double totalTolerance = 1e-7;
-/// Regions that are missing are let go below this part of a cell.
-constexpr double smallestRaised = 2e-4;
-/// Largest change of a value in one sweep.
+constexpr double smallestRegion = 2e-4;
+/// Largest change of a value in one sweep and in all, as parts of the cell's size.
 constexpr double largestStep = 0.2;
-
-template<typename Visit>
-void forEach(std::int32_t count, Progress& progress, const Visit& visit)
-{
-  tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, count, 256), [&](const auto& range) {
-    progress.check();
-    for (std::int32_t i = range.begin(); i < range.end(); ++i)
-    {
-      visit(i);
-    }
-  });
-}
+constexpr double largestShift = 4.0;
+/// Steps are a little longer than Newton's, for the neighbours share only some of the vertices.
+constexpr double relaxation = 1.2;
+/// Added to a cell's error to weigh its step among those of its neighbours.
+constexpr double leastWeight = 3e-4;
 
 class VolumeCorrection
 {
 public:
   VolumeCorrection(const CellComplex& complex, const GridTopology& topology, const Fractions& fractions,
     double minimumFraction, MaterialValues& values, Progress& progress) :
-    complex_(complex), fractions_(fractions), minimumFraction_(minimumFraction), values_(values), progress_(progress),
-    winners_(static_cast<std::size_t>(complex.vertexCount())), reach_(winners_.size(), 0), cells_(complex.cells.size()), around_(complex)
+    complex_(complex),
+    values_(values), start_(values.values), progress_(progress), around_(complex),
+    volumes_(complex, around_, values, fractions, minimumFraction, progress), requests_(complex.cells.size()),
+    changed_(static_cast<std::size_t>(complex.vertexCount()), 1), materialCount_(fractions.materialCount())
   {
     findFixed(topology);
   }
 
   void run()
   {
+    update();
+    double previous = std::numeric_limits<double>::infinity();
     for (int sweep = 0; sweep < maximumSweeps; ++sweep)
     {
       progress_.update(static_cast<double>(sweep) / maximumSweeps);
-      measure();
-      const double worst = largestError();
-      if (getenv("XLOG")) printf("sweep %d worst %g total %g\n", sweep, worst, totalError());
-      if (worst < cellTolerance)
+      const Errors errors = sumErrors();
+      const bool checkpoint = sweep % stallSweeps == 0;
+      if (errors.largest < cellTolerance || (checkpoint && sweep >= firstSweeps && errors.sum > stallRatio * previous))
       {
         break;
       }
+      previous = checkpoint ? errors.sum : previous;
       applySteps();
+      update();
     }
-    for (int sweep = 0; sweep < 3; ++sweep)
+    for (int pass = 0; pass < 2; ++pass)
     {
-      measure();
-      if (getenv("XLOG")) printf("global %d worst %g total %g\n", sweep, largestError(), totalError());
-      shiftAll();
+      balanceTotals();
     }
   }
 
 private:
-  struct CellState
+  /// What a cell asks for.
+  struct Request
   {
-    std::vector<Share> targets; ///< volumes that the cell is to have
-    std::vector<Share> steps;   ///< changes of the values that the cell asks for
-    std::uint64_t regions = 0;  ///< materials that have a region in the cell
-    double error = 0.0;         ///< largest error over the cell's volume
-    CellCutter::Regions measured;
-    double weight = 1.0; 
+    std::vector<Share> steps; ///< changes of the materials' values at its vertices
+    double error = 0.0;       ///< largest error of a material over the cell's volume
+  };
+  struct Errors
+  {
+    double largest = 0.0;
+    double sum = 0.0;
   };
 
+  /// Vertices that cells outside the complex share stay: those cells are not looked at.
   void findFixed(const GridTopology& topology)
   {
-    fixed_.assign(winners_.size(), 0);
+    fixed_.assign(changed_.size(), 0);
     forEach(complex_.nodeCount(), progress_, [&](std::int32_t v) {
       std::vector<Index> cells;
       topology.cellsAround(complex_.nodes[v], cells);
@@ -97,215 +95,154 @@ private:
     });
   }
 
-  void measure()
+  void update()
   {
-    forEach(complex_.vertexCount(), progress_, [this](std::int32_t v) { winners_[v] = values_.winner(v); });
-    tbb::enumerable_thread_specific<CellCutter> cutters([this] { return CellCutter(complex_, values_, winners_); });
-    forEach(complex_.cellCount(), progress_, [&](std::int32_t c) {
-      CellState& state = cells_[c];
-      const bool first = state.measured.total == 0.0;
-      const std::uint8_t only = cutters.local().only(c);
-      if (only == CellCutter::several || first)
-      {
-        cutters.local().volumes(c, state.measured);
-      }
-      else
-      {
-        const double total = state.measured.total;
-        state.measured.clear();
-        state.measured.total = total;
-        state.measured.volumes[state.measured.of(only)] = total;
-      }
-      state.regions = 0;
-      for (std::size_t i = 0; i < state.measured.materials.size(); ++i)
-      {
-        state.regions |= state.measured.volumes[i] > 0.0 ? std::uint64_t{ 1 } << state.measured.materials[i] : 0;
-      }
-    });
-    forEach(complex_.vertexCount(), progress_, [this](std::int32_t v) {
-      reach_[v] = 0;
-      for (std::int32_t i = around_.start[v]; i < around_.start[v + 1]; ++i)
-      {
-        reach_[v] |= cells_[around_.cells[i]].regions;
-      }
-    });
-    forEach(complex_.cellCount(), progress_, [this](std::int32_t c) {
-      findTargets(c);
-      findSteps(c);
-    });
+    volumes_.update(changed_);
+    std::fill(changed_.begin(), changed_.end(), std::uint8_t{ 0 });
+    forEach(complex_.cellCount(), progress_, [this](std::int32_t c) { findRequest(c); });
   }
 
-  /// The volumes that a cell's materials are to have: those that can't be reached go to the largest.
-  void findTargets(std::int32_t c)
+  void findRequest(std::int32_t c)
   {
-    CellState& state = cells_[c];
-    std::uint64_t reached = 0;
-    around_.forEachVertex(complex_, c, [&](std::int32_t v) { reached |= reach_[v]; });
-    std::vector<Share>& shares = state.targets;
-    fractions_.ofCell(complex_.cells[c], shares);
-    const std::size_t winner = largest(shares);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < shares.size(); ++i)
+    const CellVolume& cell = volumes_[c];
+    Request& request = requests_[c];
+    request.steps.clear();
+    request.error = 0.0;
+    for (const Share& volume : cell.volumes)
     {
-      const bool kept =
-        i == winner || shares[i].value >= minimumFraction_ || ((reached >> shares[i].material) & 1) != 0;
-      shares[i].value = kept ? shares[i].value : 0.0;
-      sum += shares[i].value;
+      const double error = std::abs(volume.value - valueOf(cell.targets, volume.material)) / cell.total;
+      request.error = std::max(request.error, error);
     }
-    for (Share& share : shares)
+    for (const Share& target : cell.targets)
     {
-      share.value *= state.measured.total / sum;
-    }
-  }
-
-  static double valueOf(const std::vector<Share>& shares, std::uint8_t material)
-  {
-    for (const Share& share : shares)
-    {
-      if (share.material == material)
+      if (target.value > smallestRegion * cell.total && valueOf(cell.volumes, target.material) <= 0.0)
       {
-        return share.value;
+        request.error = std::max(request.error, target.value / cell.total);
+        request.steps.push_back({ target.material, raise(c, target) });
       }
     }
-    return 0.0;
-  }
-
-  void findSteps(std::int32_t c)
-  {
-    CellState& state = cells_[c];
-    const CellCutter::Regions& regions = state.measured;
-    state.steps.clear();
-    state.error = 0.0;
-    const auto count = static_cast<Eigen::Index>(regions.materials.size());
-    Eigen::VectorXd missing(count);
-    for (Eigen::Index i = 0; i < count; ++i)
+    if (request.error >= quietError && cell.volumes.size() > 1)
     {
-      missing[i] = valueOf(state.targets, regions.materials[i]) - regions.volumes[i];
-      state.error = std::max(state.error, std::abs(missing[i]) / regions.total);
-    }
-    const std::uint64_t present = state.regions;
-    for (const Share& target : state.targets)
-    {
-      if (target.value > smallestRaised * regions.total && ((present >> target.material) & 1) == 0)
-      {
-        state.error = std::max(state.error, target.value / regions.total);
-        state.steps.push_back({ target.material, raise(c, target.material, target.value / regions.total) });
-      }
-    }
-    if (count < 2)
-    {
-      return;
-    }
-    Eigen::MatrixXd slopes(count, count);
-    for (Eigen::Index i = 0; i < count; ++i)
-    {
-      for (Eigen::Index j = 0; j < count; ++j)
-      {
-        slopes(i, j) = regions.derivatives[i * MaterialSet::capacity + regions.materials[j]];
-      }
-    }
-    slopes.diagonal().array() += 1e-3 * slopes.trace() / count + 1e-9 * std::cbrt(regions.total * regions.total);
-    const Eigen::VectorXd step = slopes.ldlt().solve(missing);
-    const double size = std::cbrt(regions.total);
-    double damping = getenv("XOM") ? atof(getenv("XOM")) : 1.2;
-    const double relaxed = damping;
-    for (Eigen::Index i = 0; i < count; ++i)
-    {
-      // A corner that is cut off grows as the cube of the step: Newton would overshoot.
-      const double growth = 1.0 + missing[i] / regions.volumes[i];
-      if (growth > 1.001)
-      {
-        damping = std::min(damping, relaxed * 3.0 * (std::cbrt(growth) - 1.0) / (growth - 1.0));
-      }
-    }
-    for (Eigen::Index i = 0; i < count; ++i)
-    {
-      state.steps.push_back({ regions.materials[i], std::clamp(damping * step[i], -largestStep * size, largestStep * size) });
+      addNewtonSteps(cell, request);
     }
   }
 
   /// How far a material without a region must rise to win at a vertex of the cell, and a little more.
-  double raise(std::int32_t c, std::uint8_t material, double fraction) const
+  double raise(std::int32_t c, const Share& target) const
   {
     double gap = std::numeric_limits<double>::infinity();
-    around_.forEachVertex(complex_, c, [&](std::int32_t v) {
-      gap = std::min(gap, values_.at(v, winners_[v]) - values_.at(v, material));
-    });
-    const double size = std::cbrt(cells_[c].measured.total);
-    return std::min(gap + (0.1 * std::min(1.0, 10.0 * fraction) + 1e-3) * size, largestStep * size);
+    around_.forEachVertex(complex_, c,
+      [&](std::int32_t v) { gap = std::min(gap, values_.at(v, volumes_.winner(v)) - values_.at(v, target.material)); });
+    const double size = std::cbrt(volumes_[c].total);
+    return std::min(gap + (std::min(0.1, target.value / volumes_[c].total) + 1e-3) * size, largestStep * size);
+  }
+
+  static void addNewtonSteps(const CellVolume& cell, Request& request)
+  {
+    const auto count = static_cast<Eigen::Index>(cell.volumes.size());
+    Eigen::VectorXd missing(count);
+    double damping = relaxation;
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+      const Share& volume = cell.volumes[static_cast<std::size_t>(i)];
+      missing[i] = valueOf(cell.targets, volume.material) - volume.value;
+      // A corner that is cut off grows as the cube of the step: there Newton's would be too long.
+      const double growth = volume.value > 0.0 ? 1.0 + missing[i] / volume.value : 1.0;
+      if (growth > 1.001)
+      {
+        damping = std::min(damping, relaxation * 3.0 * (std::cbrt(growth) - 1.0) / (growth - 1.0));
+      }
+    }
+    const double size = std::cbrt(cell.total);
+    Eigen::MatrixXd slopes = cell.slopes;
+    slopes.diagonal().array() += 1e-3 * slopes.trace() / static_cast<double>(count) + 1e-9 * size * size;
+    const Eigen::VectorXd step = damping * slopes.ldlt().solve(missing);
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+      request.steps.push_back({ cell.volumes[static_cast<std::size_t>(i)].material,
+        std::clamp(step[i], -largestStep * size, largestStep * size) });
+    }
   }
 
   void applySteps()
   {
     forEach(complex_.vertexCount(), progress_, [this](std::int32_t v) {
-      for (Index i = values_.start[v]; i < values_.start[v + 1] && !fixed_[v]; ++i)
+      bool asked = false;
+      double smallest = std::numeric_limits<double>::infinity();
+      for (std::int32_t i = around_.start[v]; i < around_.start[v + 1]; ++i)
       {
-        double sum = 0.0;
-        double count = 0.0;
-        for (std::int32_t k = around_.start[v]; k < around_.start[v + 1]; ++k)
-        {
-          for (const Share& step : cells_[around_.cells[k]].steps)
-          {
-            if (step.material == values_.materials[i])
-            {
-              static const double wf = getenv("XE") ? atof(getenv("XE")) : 3e-4;
-              const double weight = cells_[around_.cells[k]].error + wf;
-              sum += weight * step.value;
-              count += weight;
-            }
-          }
-        }
-        values_.values[i] += count > 0.0 ? sum / count : 0.0;
+        asked = asked || !requests_[around_.cells[i]].steps.empty();
+        smallest = std::min(smallest, volumes_[around_.cells[i]].total);
+      }
+      if (!asked || fixed_[v])
+      {
+        return;
+      }
+      changed_[v] = 1;
+      const double limit = largestShift * std::cbrt(smallest);
+      for (Index entry = values_.start[v]; entry < values_.start[v + 1]; ++entry)
+      {
+        values_.values[entry] = std::clamp(
+          values_.values[entry] + meanStep(v, values_.materials[entry]), start_[entry] - limit, start_[entry] + limit);
       }
     });
   }
 
-  double largestError() const
+  /// The mean of the steps that the cells around ask for, weighted by their errors.
+  double meanStep(std::int32_t v, std::uint8_t material) const
   {
-    double result = 0.0;
-    for (const CellState& state : cells_)
+    double sum = 0.0;
+    double weights = 0.0;
+    for (std::int32_t i = around_.start[v]; i < around_.start[v + 1]; ++i)
     {
-      result = std::max(result, state.error);
-    }
-    return result;
-  }
-  double totalError() const
-  {
-    double result = 0.0;
-    double all = 0;
-    for (const CellState& state : cells_)
-    {
-      result += valueOf(state.targets, 0);
-      all += valueOf(state.targets, 0);
-      for (size_t i = 0; i < state.measured.materials.size(); ++i)
-        if (state.measured.materials[i] == 0) result -= state.measured.volumes[i];
-    }
-    return result/all;
-  }
-
-  /// Raises each material everywhere by what its total volume still lacks.
-  void shiftAll()
-  {
-    const int count = fractions_.materialCount();
-    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(count, count);
-    Eigen::VectorXd missing = Eigen::VectorXd::Zero(count);
-    for (const CellState& state : cells_)
-    {
-      for (const Share& target : state.targets)
+      const Request& request = requests_[around_.cells[i]];
+      const double weight = request.error + leastWeight;
+      for (const Share& step : request.steps)
       {
-        missing[target.material] += target.value;
-      }
-      const CellCutter::Regions& regions = state.measured;
-      for (std::size_t i = 0; i < regions.materials.size(); ++i)
-      {
-        missing[regions.materials[i]] -= regions.volumes[i];
-        for (int j = 0; j < count; ++j)
+        if (step.material == material)
         {
-          slopes(regions.materials[i], j) += regions.derivatives[i * MaterialSet::capacity + static_cast<std::size_t>(j)];
+          sum += weight * step.value;
+          weights += weight;
         }
       }
     }
-    const double scale = slopes.trace() / count;
+    return weights > 0.0 ? sum / weights : 0.0;
+  }
+
+  Errors sumErrors() const
+  {
+    Errors errors;
+    for (const Request& request : requests_)
+    {
+      errors.largest = std::max(errors.largest, request.error);
+      errors.sum += request.error;
+    }
+    return errors;
+  }
+
+  /// Raises each material everywhere by what its total volume still lacks.
+  void balanceTotals()
+  {
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(materialCount_, materialCount_);
+    Eigen::VectorXd missing = Eigen::VectorXd::Zero(materialCount_);
+    for (std::int32_t c = 0; c < complex_.cellCount(); ++c)
+    {
+      const CellVolume& cell = volumes_[c];
+      for (const Share& target : cell.targets)
+      {
+        missing[target.material] += target.value;
+      }
+      for (std::size_t i = 0; i < cell.volumes.size(); ++i)
+      {
+        missing[cell.volumes[i].material] -= cell.volumes[i].value;
+        for (std::size_t j = 0; j < cell.volumes.size() && cell.volumes.size() > 1; ++j)
+        {
+          slopes(cell.volumes[i].material, cell.volumes[j].material) +=
+            cell.slopes(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+        }
+      }
+    }
+    const double scale = slopes.trace() / materialCount_;
     if (scale <= 0.0)
     {
       return;
@@ -318,18 +255,19 @@ private:
         values_.values[i] += step[values_.materials[i]];
       }
     });
+    std::fill(changed_.begin(), changed_.end(), std::uint8_t{ 1 });
+    update();
   }
 
   const CellComplex& complex_;
-  const Fractions& fractions_;
-  double minimumFraction_;
   MaterialValues& values_;
+  std::vector<double> start_; ///< the values before the correction
   Progress& progress_;
-  std::vector<std::uint8_t> winners_;
-  std::vector<std::uint64_t> reach_; ///< by vertex: materials that have a region in a cell around
-  std::vector<std::uint8_t> fixed_;
-  std::vector<CellState> cells_;
   CellsAround around_;
+  CellVolumes volumes_;
+  std::vector<Request> requests_;
+  std::vector<std::uint8_t> changed_, fixed_; ///< by vertex
+  int materialCount_;
 };
 }
 

@@ -1,23 +1,25 @@
 #include "Extract/Distances.h"
 
 #include "Extract/CellsAround.h"
+#include "Extract/ForEach.h"
 #include "Extract/VolumeBelow.h"
 
 #include <Eigen/Dense>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace strata
 {
 namespace
 {
-int sweepCount = getenv("XSWEEPS") ? atoi(getenv("XSWEEPS")) : 4;
+constexpr int sweepCount = 4;
 /// Value of a fraction f without a direction, as a part of the cell's size times f - 1/2.
 constexpr double undirectedSlope = 0.1;
+
+/// Added to the smaller part of a cell on either side of a border to weigh its plane among those of its neighbours:
+/// the plane through a small corner is the least certain.
+constexpr double leastWeight = 0.1;
 
 /// 0 below `from`, 1 above `to`, linear between.
 double ramp(double x, double from, double to)
@@ -39,37 +41,26 @@ class DistanceFit
 public:
   DistanceFit(const CellComplex& complex, const GridTopology& topology, const Fractions& fractions,
     MaterialValues& values, Progress& progress) :
-    complex_(complex), topology_(topology), fractions_(fractions), values_(values), progress_(progress),
-    around_(complex), means_(values.values), borders_(values.values.size()), sizes_(complex.cells.size())
+    complex_(complex),
+    topology_(topology), fractions_(fractions), values_(values), progress_(progress), around_(complex),
+    means_(values.values), borders_(values.values.size()), sizes_(complex.cells.size())
   {}
 
   void run()
   {
-    forEach(complex_.cellCount(), [this](std::int32_t c) {
+    forEach(complex_.cellCount(), progress_, [this](std::int32_t c) {
       sizes_[c] = std::cbrt(VolumeBelow(complex_, c).total());
       startBorders(c);
     });
     placeValues();
     for (int sweep = 1; sweep < sweepCount; ++sweep)
     {
-      forEach(complex_.cellCount(), [this](std::int32_t c) { turnBorders(c); });
+      forEach(complex_.cellCount(), progress_, [this](std::int32_t c) { turnBorders(c); });
       placeValues();
     }
   }
 
 private:
-  template<typename Visit>
-  void forEach(std::int32_t count, const Visit& visit)
-  {
-    tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, count, 256), [&](const auto& range) {
-      progress_.check();
-      for (std::int32_t i = range.begin(); i < range.end(); ++i)
-      {
-        visit(i);
-      }
-    });
-  }
-
   bool partial(Index entry) const { return means_[entry] > 1e-9 && means_[entry] < 1.0 - 1e-9; }
 
   /// Normals from the gradient of the fractions, by least squares over the cells that share a point.
@@ -78,7 +69,7 @@ private:
     const std::int32_t center = complex_.cellVertex(c);
     const Index begin = values_.start[center];
     const Index end = values_.start[center + 1];
-    if (std::none_of(values_.values.begin() + begin, values_.values.begin() + end, [&](double) { return end - begin > 1; }))
+    if (end - begin < 2)
     {
       return;
     }
@@ -167,7 +158,7 @@ private:
   void placeValues()
   {
     values_.absent.resize(static_cast<std::size_t>(complex_.vertexCount()));
-    forEach(complex_.vertexCount(), [this](std::int32_t v) {
+    forEach(complex_.vertexCount(), progress_, [this](std::int32_t v) {
       double size = 0.0;
       for (std::int32_t i = around_.start[v]; i < around_.start[v + 1]; ++i)
       {
@@ -185,14 +176,13 @@ private:
   {
     double sum = 0.0;
     double count = 0.0;
-    static const double floor = getenv("XW") ? atof(getenv("XW")) : 0.1;
     for (std::int32_t i = around_.start[v]; i < around_.start[v + 1]; ++i)
     {
       const std::int32_t c = around_.cells[i];
       const Index e = values_.find(complex_.cellVertex(c), values_.materials[entry]);
       if (e >= 0 && borders_[e].exists)
       {
-        const double weight = std::min(means_[e], 1.0 - means_[e]) + floor;
+        const double weight = std::min(means_[e], 1.0 - means_[e]) + leastWeight;
         sum += weight * distance(c, e, complex_.positions[v]);
         count += weight;
       }

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "Extract/CellCutter.h"
+#include "Extract/CellsAround.h"
+#include "Extract/Fractions.h"
+
+#include <Eigen/Dense>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <vector>
+
+namespace strata
+{
+/// The volume of a material's share in a list; 0 if it isn't listed.
+double valueOf(const std::vector<Share>& shares, std::uint8_t material);
+
+/// What a cell's materials have and what they are to have.
+struct CellVolume
+{
+  double total = 0.0;         ///< the cell's volume
+  std::vector<Share> volumes; ///< of the materials' regions
+  Eigen::MatrixXd slopes;     ///< how those change when the materials' values rise
+  std::vector<Share> targets; ///< volumes that they are to have
+  std::uint64_t reached = 0;  ///< materials that have a region in the cell or in one at its points (bits)
+};
+
+/// Keeps the volumes in the cells of a complex up to date while the values at its vertices change.
+class CellVolumes
+{
+public:
+  /// All arguments must outlive it.
+  CellVolumes(const CellComplex& complex, const CellsAround& around, const MaterialValues& values,
+    const Fractions& fractions, double minimumFraction, Progress& progress);
+
+  /// Measures the cells that have a vertex marked in `changed`. A material that has less than the minimum fraction of
+  /// a cell, and no region around it, is not asked for: its target goes to the cell's other materials.
+  void update(const std::vector<std::uint8_t>& changed);
+
+  const CellVolume& operator[](std::int32_t cell) const { return cells_[cell]; }
+  std::uint8_t winner(std::int32_t vertex) const { return winners_[vertex]; }
+
+private:
+  void measure(std::int32_t cell);
+  void findTargets(std::int32_t cell);
+
+  const CellComplex& complex_;
+  const CellsAround& around_;
+  const MaterialValues& values_;
+  const Fractions& fractions_;
+  double minimumFraction_;
+  Progress& progress_;
+  std::vector<std::uint8_t> winners_;
+  std::vector<std::uint64_t> reach_; ///< by vertex: materials that have a region in a cell around
+  std::vector<CellVolume> cells_;
+  struct Workspace
+  {
+    CellCutter cutter;
+    CellCutter::Regions regions;
+  };
+  tbb::enumerable_thread_specific<Workspace> workspaces_;
+};
+}
