@@ -15,8 +15,10 @@ namespace strata
 namespace
 {
 using Range = tbb::blocked_range<Index>;
-/// Cells per task; results are joined in the order of the tasks' cells.
-constexpr Index cellsPerBlock = 4096;
+/// Cells per task; results are joined in the order of the tasks' cells. Small, so that a task's results grow in the
+/// processor's cache: an index passes only cells that are cut.
+constexpr Index cellsPerBlock = 2048;
+constexpr Index cutCellsPerBlock = 128;
 
 /// What a thread needs to cut cells.
 struct Workspace
@@ -145,9 +147,10 @@ SlicedCells sliceCells(const Representation& representation, const SlicePlane& p
   const SliceIndex* index, Progress& progress)
 {
   const SignedPlane signedPlane(representation, plane, index, progress);
-  const std::vector<Index> near = index ? index->cellsNear(plane) : std::vector<Index>();
+  const std::vector<Index> near = index ? index->cellsAt(representation, plane) : std::vector<Index>();
   const Index count = index ? static_cast<Index>(near.size()) : representation.cellCount;
-  const Index blockCount = (count + cellsPerBlock - 1) / cellsPerBlock;
+  const Index blockSize = index ? cutCellsPerBlock : cellsPerBlock;
+  const Index blockCount = (count + blockSize - 1) / blockSize;
   std::vector<SlicedCells> blocks(static_cast<std::size_t>(blockCount));
   tbb::enumerable_thread_specific<Workspace> workspaces;
   tbb::parallel_for(Range(0, blockCount, 1), [&](const Range& range) {
@@ -155,7 +158,7 @@ SlicedCells sliceCells(const Representation& representation, const SlicePlane& p
     for (Index block = range.begin(); block != range.end(); ++block)
     {
       progress.check();
-      for (Index i = block * cellsPerBlock; i < std::min(count, (block + 1) * cellsPerBlock); ++i)
+      for (Index i = block * blockSize; i < std::min(count, (block + 1) * blockSize); ++i)
       {
         sliceCell(representation, signedPlane, materials, index ? near[i] : i, workspace, blocks[block]);
       }

@@ -3,6 +3,7 @@
 #include "Slice/PlaneFunction.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
@@ -53,6 +54,19 @@ Box boxOfPoints(const Representation& representation)
   }
   return box;
 }
+
+bool meets(const Representation& representation, const PlaneFunction& function, Index cell)
+{
+  int positives = 0;
+  int negatives = 0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double value = function(representation, representation.tetrahedra[4 * cell + corner]);
+    positives += value > 0.0 ? 1 : 0;
+    negatives += value < 0.0 ? 1 : 0;
+  }
+  return positives < 4 && negatives < 4;
+}
 }
 
 SliceIndex::SliceIndex(const Representation& representation, Progress& progress)
@@ -89,21 +103,31 @@ SliceIndex::SliceIndex(const Representation& representation, Progress& progress)
   });
 }
 
-std::vector<Index> SliceIndex::cellsNear(const SlicePlane& plane) const
+std::vector<Index> SliceIndex::cellsAt(const Representation& representation, const SlicePlane& plane) const
 {
   const PlaneFunction function(plane);
-  std::vector<Index> result;
-  for (std::size_t group = 0; group < boxes_.size(); ++group)
-  {
-    double lower;
-    double upper;
-    function.range(boxes_[group], lower, upper);
-    if (lower <= 0.0 && upper >= 0.0)
+  tbb::enumerable_thread_specific<std::vector<Index>> found;
+  tbb::parallel_for(Range(0, static_cast<Index>(boxes_.size()), 256), [&](const Range& range) {
+    std::vector<Index>& cells = found.local();
+    for (Index group = range.begin(); group != range.end(); ++group)
     {
-      const Index first = groupStart(static_cast<Index>(group));
-      const Index last = groupStart(static_cast<Index>(group) + 1);
-      result.insert(result.end(), order_.begin() + first, order_.begin() + last);
+      double lower;
+      double upper;
+      function.range(boxes_[group], lower, upper);
+      const Index last = lower <= 0.0 && upper >= 0.0 ? groupStart(group + 1) : 0;
+      for (Index i = groupStart(group); i < last; ++i)
+      {
+        if (meets(representation, function, order_[i]))
+        {
+          cells.push_back(order_[i]);
+        }
+      }
     }
+  });
+  std::vector<Index> result;
+  for (const std::vector<Index>& cells : found)
+  {
+    result.insert(result.end(), cells.begin(), cells.end());
   }
   tbb::parallel_sort(result.begin(), result.end());
   return result;

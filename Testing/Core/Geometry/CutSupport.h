@@ -29,26 +29,36 @@ inline std::vector<CornerValues> valuesAt(const VertexValues& values, const std:
   return result;
 }
 
-/// What values to draw: reals, or small integers that tie all the time.
+/// What values to draw: reals; small integers that tie all the time; tenths, whose rounding errors are all that keeps
+/// many of them from tying.
 enum class Draw
 {
   Reals,
-  Ties
+  Ties,
+  NearTies
 };
 
 inline VertexValues randomValues(int vertices, int functions, Draw draw, std::mt19937& random)
 {
   std::uniform_real_distribution<double> real(-1.0, 1.0);
   std::uniform_int_distribution<int> integer(-1, 1);
+  std::uniform_int_distribution<int> tenths(-4, 4);
   VertexValues result(vertices, std::vector<double>(functions));
   for (std::vector<double>& row : result)
   {
     for (double& value : row)
     {
-      value = draw == Draw::Reals ? real(random) : integer(random);
+      value = draw == Draw::Reals ? real(random) : draw == Draw::Ties ? integer(random) : 0.1 * tenths(random);
     }
   }
   return result;
+}
+
+/// A kind of values for the i-th case of a test.
+inline Draw drawOf(int i)
+{
+  constexpr std::array<Draw, 5> draws{ Draw::Reals, Draw::Ties, Draw::NearTies, Draw::Ties, Draw::NearTies };
+  return draws[static_cast<std::size_t>(i) % draws.size()];
 }
 
 using KeyLoop = std::vector<CutKey>;

@@ -25,7 +25,7 @@ void onRandomTetrahedra(int count, const Check& check)
   for (int i = 0; i < count; ++i)
   {
     const int functions = 1 + i % 6;
-    const Draw draw = i % 4 < 2 ? Draw::Reals : Draw::Ties;
+    const Draw draw = drawOf(i / 6);
     const VertexValues values = randomValues(4, functions, draw, random);
     std::array<std::int64_t, 4> vertices = plainVertices;
     std::shuffle(vertices.begin(), vertices.end(), random);
@@ -100,7 +100,7 @@ TEST(CutTetrahedron, TiesGoToTheLowestFunction)
   EXPECT_EQ(cut.winners(), std::vector<int>{ 2 });
 }
 
-TEST(CutTetrahedron, AnInterfaceInAFaceOfTheTetrahedronLeavesTheWholeTetrahedronToOneFunction)
+TEST(CutTetrahedron, AnInterfaceInAFaceAppearsOnceInThatFace)
 {
   // Equal on the face of corners 0, 1, 2; the second function is smaller at corner 3.
   const std::array<CornerValues, 2> functions{ CornerValues{ 0, { 0, 0, 0, 1 } }, CornerValues{ 1, { 0, 0, 0, 0 } } };
@@ -143,7 +143,7 @@ TEST(CutTetrahedron, FourFunctionsMeetInTheCentre)
 
 TEST(CutTetrahedron, EveryPointOfARegionHasItsFunctionSmallest)
 {
-  onRandomTetrahedra(60000, [](const TetrahedronCut& cut, const VertexValues& values, const auto&) {
+  onRandomTetrahedra(40000, [](const TetrahedronCut& cut, const VertexValues& values, const auto&) {
     for (const TetrahedronCut::Face& face : cut.faces())
     {
       for (int i = face.begin; i < face.end; ++i)
@@ -152,11 +152,11 @@ TEST(CutTetrahedron, EveryPointOfARegionHasItsFunctionSmallest)
         const double own = valueAt(point, values, face.function);
         for (std::size_t f = 0; f < values.front().size(); ++f)
         {
-          EXPECT_LE(own, valueAt(point, values, static_cast<int>(f)) + 1e-12);
+          EXPECT_LE(own, valueAt(point, values, static_cast<int>(f)) + 1e-10);
         }
         if (face.beyond >= 0)
         {
-          EXPECT_NEAR(own, valueAt(point, values, face.beyond), 1e-12);
+          EXPECT_NEAR(own, valueAt(point, values, face.beyond), 1e-10);
         }
       }
     }
@@ -223,7 +223,7 @@ TEST(CutTetrahedron, TetrahedraCutTheirSharedFaceAlikeBitForBit)
   TetrahedronCut second;
   for (int i = 0; i < 40000; ++i)
   {
-    const VertexValues values = randomValues(5, 2 + i % 5, i % 3 ? Draw::Ties : Draw::Reals, random);
+    const VertexValues values = randomValues(5, 2 + i % 5, drawOf(i / 5), random);
     std::array<std::int64_t, 5> ids{ 0, 1, 2, 3, 4 };
     std::shuffle(ids.begin(), ids.end(), random);
     // Both share ids[0..2]; on opposite sides of it, the face is opposite to corner 3 and to corner 0.
