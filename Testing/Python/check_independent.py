@@ -1,0 +1,199 @@
+"""Checks the promises of the representation on all steps of the impact, with numpy and none of Strata's code
+(check_mesh.py), and that the checks themselves notice what they should: see `perturbations`.
+"""
+import copy
+import json
+import os
+import sys
+from pathlib import Path
+
+import check_mesh
+import numpy
+from check_mesh import Representation
+from paraview import simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersCore import vtkProbeFilter
+from vtkmodules.vtkIOXML import vtkXMLRectilinearGridReader
+
+CASE = Path(os.environ["STRATA_DATA"]) / "impact/impact.strata"
+INTERFACE_BOUND, DENSITY_BOUND = 0.15, 0.3
+MINIMUM_VOLUME_FRACTION = 0.1
+WITH_FIELDS = (0, 1)
+DIAGONAL = 0.5 ** 0.5
+
+
+class Native:
+    """A step as the simulation wrote it."""
+
+    def __init__(self, name):
+        reader = vtkXMLRectilinearGridReader()
+        reader.SetFileName(str(CASE.parent / name))
+        reader.Update()
+        grid = reader.GetOutput()
+        axes = [vtk_to_numpy(a) for a in (grid.GetXCoordinates(), grid.GetYCoordinates(), grid.GetZCoordinates())]
+        axes = [axis.astype(float) for axis in axes]
+        self.lower, self.upper = (numpy.array([axis[end] for axis in axes]) for end in (0, -1))
+        z, y, x = numpy.meshgrid(*[0.5 * (axis[1:] + axis[:-1]) for axis in reversed(axes)], indexing="ij")
+        self.samples = numpy.stack([x.ravel(), y.ravel(), z.ravel()], axis=1)
+        self.cells = grid.GetCellData()
+
+    def array(self, name):
+        return vtk_to_numpy(self.cells.GetArray(name)).astype(float)
+
+    def densities(self, materials):
+        """Material -> (density, which samples count): at least a tenth of the cell, or the most of it."""
+        fractions = numpy.stack([self.array("volume_fraction_" + name) for name in materials])
+        largest = fractions.argmax(axis=0)
+        return {m: (self.array("density_" + materials[m]),
+                    (fractions[m] >= MINIMUM_VOLUME_FRACTION) | (largest == m)) for m in WITH_FIELDS}
+
+
+def output(proxy, time):
+    proxy.UpdatePipeline(time)
+    return proxy.GetClientSideObject().GetOutputDataObject(0)
+
+
+def surfaces_of(collection):
+    """(positive, negative, vertices) of each original interface."""
+    result = []
+    for block in range(collection.GetNumberOfPartitionedDataSets()):
+        surface = collection.GetPartition(block, 0)
+        if surface and surface.GetNumberOfCells():
+            sides = [surface.GetCellData().GetArray(side + "_material").GetValue(0) for side in ("positive", "negative")]
+            result.append((*sides, vtk_to_numpy(surface.GetPoints().GetData()).astype(float)))
+    return result
+
+
+def check_location(grid, representation, points):
+    """VTK's own cell locator finds every point in a cell that holds it by check_mesh's reckoning."""
+    probe = vtkProbeFilter()
+    cloud, mesh = vtkPolyData(), vtkUnstructuredGrid()
+    positions = vtkPoints()
+    positions.SetData(numpy_to_vtk(points, deep=True))
+    cloud.SetPoints(positions)
+    mesh.CopyStructure(grid)
+    ids = numpy_to_vtk(numpy.arange(grid.GetNumberOfCells()), deep=True)
+    ids.SetName("cell")
+    mesh.GetCellData().AddArray(ids)
+    probe.SetInputData(cloud)
+    probe.SetSourceData(mesh)
+    probe.SetCellLocatorPrototype(vtkStaticCellLocator())
+    probe.Update()
+    found = vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("cell"))
+    cells, members, _ = check_mesh.locate(representation, points)
+    pairs = members * len(representation.cells) + cells
+    unknown = ~numpy.isin(numpy.arange(len(points)) * len(representation.cells) + found, pairs)
+    return [f"location: VTK finds {unknown.sum()} points in other cells"] if unknown.any() else []
+
+
+def slice_areas(section, materials):
+    """Area of each material in a slice."""
+    polygons = section.GetPolys()
+    offsets, corners = (vtk_to_numpy(a) for a in (polygons.GetOffsetsArray(), polygons.GetConnectivityArray()))
+    areas = check_mesh.polygon_areas(vtk_to_numpy(section.GetPoints().GetData()).astype(float), offsets, corners)
+    return numpy.bincount(vtk_to_numpy(section.GetCellData().GetArray("material")), areas, len(materials))
+
+
+def check_slices(section, time, native, materials):
+    """Areas over all materials sum to the section of the box: on a wall, between, and askew."""
+    size = native.upper - native.lower
+    center = 0.5 * (native.lower + native.upper)
+    planes = [((0.0, 0.0, 0.0), (0.0, 1.0, 0.0), size[0] * size[2]), ((3.3, 0.0, 0.0), (1.0, 0.0, 0.0), size[1] * size[2]),
+              (center, (DIAGONAL, DIAGONAL, 0.0), numpy.hypot(size[0], size[1]) * size[2])]
+    section.Materials = materials
+    faults = []
+    for origin, normal, expected in planes:
+        section.SliceType.Origin, section.SliceType.Normal = list(origin), list(normal)
+        area = slice_areas(output(section, time), materials).sum()
+        if abs(area - expected) > 1e-6 * expected:
+            faults.append(f"slice: areas on the plane of normal {normal} sum to {area:.9g}, not {expected:.9g}")
+    return faults
+
+
+def check_all(representation, native, surfaces):
+    densities = native.densities(representation.materials)
+    return (check_mesh.check_mesh(representation, native.lower, native.upper)
+            + check_mesh.check_field(representation, native.samples, densities, DENSITY_BOUND)
+            + check_mesh.check_interfaces(representation, surfaces, INTERFACE_BOUND))
+
+
+def perturbations(representation, native, surfaces):
+    """Copies of a representation with one defect each, and what must be noticed."""
+    densities = native.densities(representation.materials)
+    m = WITH_FIELDS[-1]
+    members = numpy.flatnonzero(densities[m][1])
+    cells, _, weights = check_mesh.locate(representation, native.samples[members])
+    row, corner = numpy.unravel_index(weights.argmax(), weights.shape)
+    sample_vertex = representation.cells[cells[row], corner]
+    positive, _, vertices = surfaces[-1]
+    cells, _, weights = check_mesh.locate(representation, vertices)
+    row, corner = numpy.unravel_index(weights.argmax(), weights.shape)
+    interface_vertex = representation.cells[cells[row], corner]
+
+    def changed(change):
+        result = copy.deepcopy(representation)
+        change(result)
+        return result
+
+    def split_vertex(r):
+        r.points = numpy.vstack([r.points, r.points[r.cells[0, 0]]])
+        for arrays in (r.values, r.distances):
+            for name, array in arrays.items():
+                arrays[name] = numpy.append(array, array[r.cells[0, 0]])
+        r.cells[0, 0] = len(r.points) - 1
+
+    yield "field", changed(lambda r: numpy.add.at(r.values[m], sample_vertex, 3.0 * DENSITY_BOUND))
+    yield "field", changed(lambda r: numpy.put(r.values[m], sample_vertex, numpy.nan))
+    yield "field", changed(lambda r: numpy.multiply(r.field_errors, 0.99, out=r.field_errors))
+    yield "interface", changed(lambda r: numpy.add.at(r.distances[positive], interface_vertex, 3.0 * INTERFACE_BOUND))
+    yield "interface", changed(lambda r: numpy.multiply(r.interface_errors, 0.99, out=r.interface_errors))
+    yield "mesh", changed(split_vertex)
+    yield "mesh", changed(lambda r: numpy.put(r.cells[0], [0, 1], r.cells[0, [1, 0]]))
+    yield "mesh", changed(lambda r: numpy.put(r.cells, range(4), r.cells[1]))
+
+
+def check_perturbations(representation, native, surfaces):
+    """Every defect must turn something red."""
+    faults = []
+    for number, (kind, damaged) in enumerate(perturbations(representation, native, surfaces)):
+        noticed = [fault for fault in check_all(damaged, native, surfaces) if fault.startswith(kind)]
+        if not noticed:
+            faults.append(f"defect {number} ({kind}) goes unnoticed")
+    return faults
+
+
+def main():
+    simple.LoadPlugin(os.environ["STRATA_PLUGIN"], remote=False, ns=globals())
+    steps = json.loads(CASE.read_text())["steps"]
+    case = StrataCaseReader(FileName=str(CASE))
+    interfaces = MaterialInterfaces(Input=case)
+    tetrahedra = MultiresolutionTetrahedra(
+        Input=case, Interfaces=interfaces, FieldArrays=["density"], InterfaceErrorBound=INTERFACE_BOUND,
+        AbsoluteFieldErrorBounds=["density", str(DENSITY_BOUND)])
+    section = MaterialSlice(Input=tetrahedra)
+    faults = []
+    for step in steps:
+        time = step["time"]
+        native = Native(step["grid"])
+        surfaces = surfaces_of(output(interfaces, time))
+        methods = ("Direct", "Saturated", "Fitted", "Accumulated") if step is steps[4] else ("Direct",)
+        for method in methods:
+            tetrahedra.ErrorMethod = method
+            grid = output(tetrahedra, time)
+            representation = Representation(grid, "density")
+            found = check_all(representation, native, surfaces)
+            found += check_slices(section, time, native, representation.materials)
+            if step is steps[4] and method == "Direct":
+                found += check_location(grid, representation, native.samples)
+                found += check_perturbations(representation, native, surfaces)
+            print(f"t = {time}, {method}: {len(representation.cells)} cells, {len(found)} faults")
+            faults += [f"t = {time}, {method}: {fault}" for fault in found]
+        tetrahedra.ErrorMethod = "Direct"
+    print("\n".join(faults))
+    sys.exit(1 if faults else 0)
+
+
+if __name__ == "__main__":
+    main()
