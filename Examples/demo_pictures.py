@@ -26,7 +26,7 @@ def new_view(size):
 
 
 def look_at_section(view):
-    """Along +y on the plane y = 0: x to the right, z upwards. To be called last: the first Show of all moves the camera."""
+    """Along +y on the plane y = 0: x to the right, z upwards. Call it last: the first Show of all moves the camera."""
     view.InteractionMode = "2D"
     view.CameraPosition = [7.2, -60.0, -5.6]
     view.CameraFocalPoint = [7.2, 0.0, -5.6]

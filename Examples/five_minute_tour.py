@@ -26,14 +26,15 @@ tetrahedra.InterfaceErrorBound = 0.1
 section = simple.MaterialSlice(Input=tetrahedra)
 section.SliceType.Origin = [0.0, 0.0, 0.0]
 section.SliceType.Normal = [0.0, 1.0, 0.0]
-view = simple.GetActiveViewOrCreate("RenderView")
+view = simple.CreateView("RenderView")
+view.ViewSize = [800, 1000]
 display = simple.Show(section, view)
 simple.ColorBy(display, ("POINTS", "density"))
-display.RescaleTransferFunctionToDataRange()
+display.Ambient, display.Diffuse = 1.0, 0.0
 display.SetScalarBarVisibility(view, True)
 view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [6, -60, -5.6], [6, 0, -5.6], [0, 0, 1]
 simple.ResetCamera(view)
-simple.SaveScreenshot(output("tour_slice.png"), view, ImageResolution=[1000, 1000])
+simple.SaveScreenshot(output("tour_slice.png"), view, ImageResolution=view.ViewSize)
 
 # The file says all of itself. Binary mode: ParaView 5.11 as packaged by Debian reads no appended data.
 simple.SaveData(output("tour.vtu"), proxy=tetrahedra, DataMode="Binary")

@@ -18,13 +18,14 @@ section.SliceType.Origin = [0.0, 0.0, 0.0]
 
 view = simple.CreateView("RenderView")
 view.ViewSize = [800, 900]
-simple.Show(case, view).Representation = "Outline"
+simple.Show(tetrahedra, view).Representation = "Outline"
 display = simple.Show(section, view)
 simple.ColorBy(display, ("POINTS", "density"))
 colors = simple.GetColorTransferFunction("density")
 colors.RescaleTransferFunction(7.0, 18.0)
+display.Ambient, display.Diffuse = 1.0, 0.0
 display.SetScalarBarVisibility(view, True)
-view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [25, -45, 12], [6, 6, -5.6], [0, 0, 1]
+view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [20, -45, 6], [6, 6, -5.6], [0, 0, 1]
 simple.ResetCamera(view)
 for picture in range(count):
     # Only the polygons are cut anew: the mesh and its search structure stay.
