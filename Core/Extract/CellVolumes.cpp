@@ -14,18 +14,6 @@ Bits bit(std::uint8_t material)
 }
 }
 
-double valueOf(const std::vector<Share>& shares, std::uint8_t material)
-{
-  for (const Share& share : shares)
-  {
-    if (share.material == material)
-    {
-      return share.value;
-    }
-  }
-  return 0.0;
-}
-
 CellVolumes::CellVolumes(const CellComplex& complex, const CellsAround& around, const MaterialValues& values,
   const Fractions& fractions, double minimumFraction, Progress& progress) :
   complex_(complex),

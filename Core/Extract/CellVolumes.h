@@ -11,9 +11,6 @@
 
 namespace strata
 {
-/// The volume of a material's share in a list; 0 if it isn't listed.
-double valueOf(const std::vector<Share>& shares, std::uint8_t material);
-
 /// What a cell's materials have and what they are to have.
 struct CellVolume
 {

@@ -11,7 +11,7 @@ namespace strata
 {
 namespace
 {
-constexpr int maximumSweeps = 30;
+constexpr int maximumSweeps = 40;
 /// Sweeping ends as well when this many sweeps leave more than this part of the errors, but not before the first
 /// ones: calling regions back costs errors at first.
 constexpr int firstSweeps = 15;
@@ -134,7 +134,7 @@ private:
     around_.forEachVertex(complex_, c,
       [&](std::int32_t v) { gap = std::min(gap, values_.at(v, volumes_.winner(v)) - values_.at(v, target.material)); });
     const double size = std::cbrt(volumes_[c].total);
-    return std::min(gap + (std::min(0.1, target.value / volumes_[c].total) + 1e-3) * size, largestStep * size);
+    return std::min(gap + (std::min(0.02, target.value / volumes_[c].total) + 1e-3) * size, largestStep * size);
   }
 
   static void addNewtonSteps(const CellVolume& cell, Request& request)

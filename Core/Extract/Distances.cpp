@@ -63,7 +63,8 @@ public:
 private:
   bool partial(Index entry) const { return means_[entry] > 1e-9 && means_[entry] < 1.0 - 1e-9; }
 
-  /// Normals from the gradient of the fractions, by least squares over the cells that share a point.
+  /// Normals from the gradient of the fractions, by least squares over the cells that share a point. The weights, a
+  /// product over the axes, keep the gradient of a border along the grid free of the other axes at boundaries too.
   void startBorders(std::int32_t c)
   {
     const std::int32_t center = complex_.cellVertex(c);
@@ -82,36 +83,48 @@ private:
     }
     std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    std::vector<Vector> gradients(static_cast<std::size_t>(end - begin), Vector::Zero());
+    const Eigen::Matrix3d shape = shapeOf(c);
+    const Eigen::Matrix3d metric = shape.inverse();
+    Eigen::Matrix4d normalEquations = Eigen::Matrix4d::Zero();
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(4, end - begin);
     std::vector<Share> shares;
     for (Index cell : cells)
     {
       const Vector step = topology_.center(cell) - complex_.positions[center];
-      const double weight = cell == complex_.cells[c] ? 0.0 : 1.0 / step.squaredNorm();
-      spread += weight * step * step.transpose();
+      const Eigen::Vector4d row(1.0, step[0], step[1], step[2]);
+      const double weight = std::exp2(-0.25 * step.dot(metric * step));
+      normalEquations += weight * row * row.transpose();
       fractions_.ofCell(cell, shares);
       for (Index e = begin; e < end; ++e)
       {
-        double value = 0.0;
-        for (const Share& share : shares)
-        {
-          value = share.material == values_.materials[e] ? share.value : value;
-        }
-        gradients[e - begin] += weight * (value - means_[e]) * step;
+        right.col(e - begin) += weight * valueOf(shares, values_.materials[e]) * row;
       }
     }
-    const Eigen::LDLT<Eigen::Matrix3d> solver(spread + 1e-12 * spread.trace() * Eigen::Matrix3d::Identity());
+    normalEquations.bottomRightCorner<3, 3>() += 1e-9 * shape;
+    const Eigen::MatrixXd fit = normalEquations.ldlt().solve(right);
     for (Index e = begin; e < end; ++e)
     {
       if (partial(e))
       {
-        const Vector gradient = solver.solve(gradients[e - begin]);
+        const Vector gradient = fit.col(e - begin).tail<3>();
+        const double width = 2.0 * std::sqrt(gradient.dot(shape * gradient)); // |gradient| times the cell's width
         borders_[e].exists = true;
-        borders_[e].sharpness = ramp(2.0 * gradient.norm() * sizes_[c], 0.3, 0.6);
+        borders_[e].sharpness = ramp(2.0 * width, 0.3, 0.6);
         setNormal(c, e, gradient);
       }
     }
+  }
+
+  /// The mean of d d^T over the cell's points, d from the centre: a quarter of the squared edges for a box.
+  Eigen::Matrix3d shapeOf(std::int32_t c) const
+  {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (std::int32_t i = around_.nodeStart[c]; i < around_.nodeStart[c + 1]; ++i)
+    {
+      const Vector d = complex_.positions[around_.nodes[i]] - complex_.positions[complex_.cellVertex(c)];
+      sum += d * d.transpose();
+    }
+    return sum / static_cast<double>(around_.nodeStart[c + 1] - around_.nodeStart[c]);
   }
 
   /// Normals from the gradient of the distances at the cell's points.
@@ -150,8 +163,15 @@ private:
   double distance(std::int32_t c, Index entry, const Vector& x) const
   {
     const Border& border = borders_[entry];
-    const double undirected = undirectedSlope * (means_[entry] - 0.5) * sizes_[c];
-    const double directed = border.offset - border.normal.dot(x - complex_.positions[complex_.cellVertex(c)]);
+    const Vector d = x - complex_.positions[complex_.cellVertex(c)];
+    const double directed = border.offset - border.normal.dot(d);
+    if (border.sharpness >= 1.0)
+    {
+      return directed;
+    }
+    // Growing outwards, so that a material in a cell without neighbours of its kind becomes a drop at its centre.
+    const double undirected =
+      undirectedSlope * (means_[entry] - 0.5) * sizes_[c] * (1.0 + 0.25 * d.dot(shapeOf(c).inverse() * d));
     return border.sharpness * directed + (1.0 - border.sharpness) * undirected;
   }
 

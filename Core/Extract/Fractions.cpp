@@ -150,6 +150,18 @@ void Fractions::ofPoint(Index point, std::vector<Share>& result) const
   mean(tuples, result);
 }
 
+double valueOf(const std::vector<Share>& shares, std::uint8_t material)
+{
+  for (const Share& share : shares)
+  {
+    if (share.material == material)
+    {
+      return share.value;
+    }
+  }
+  return 0.0;
+}
+
 std::size_t largest(const std::vector<Share>& shares)
 {
   const auto less = [](const Share& a, const Share& b) { return a.value < b.value; };

@@ -15,6 +15,11 @@ struct Share
   double value;
 };
 
+/// A material's value in a list; 0 if it isn't listed.
+double valueOf(const std::vector<Share>& shares, std::uint8_t material);
+/// The position of the largest share, the first of equals. Precondition: there is one.
+std::size_t largest(const std::vector<Share>& shares);
+
 /// The volume fractions of a simulation by cell and by grid point, whichever of the two the simulation gives.
 class Fractions
 {
@@ -35,9 +40,6 @@ private:
   const GridTopology& topology_;
   bool atPoints_;
 };
-
-/// The position of the largest share, the first of equals. Precondition: there is one.
-std::size_t largest(const std::vector<Share>& shares);
 
 /// The cells that interfaces may cross.
 struct MixedCells

@@ -1,10 +1,4 @@
-#include "Extract/Extract.h"
-
-#include "Support/FractionsOfBox.h"
-#include "Support/FractionsOnGrids.h"
-#include "SurfaceChecks.h"
-
-#include <gtest/gtest.h>
+#include "ExtractCases.h"
 
 #include <random>
 
@@ -13,45 +7,163 @@ using namespace strata::test;
 
 namespace
 {
-ExtractedInterfaces extract(const Simulation& simulation, bool correct)
+Distance plane(const Vector& normal, const Vector& point)
 {
-  Progress progress;
-  ExtractOptions options;
-  options.volumeCorrection = correct;
-  return extractInterfaces(simulation, options, progress);
+  return [=](const Vector& x) { return normal.dot(x - point); };
 }
 
-FractionsOf sphereFractions(const Vector& center, double radius)
+FractionsOf belowPlane(const Vector& normal, const Vector& point)
 {
   return [=](const Box& box) {
-    const double inside = fractionInside(
-      box, [&](const Vector& x) { return (x - center).norm() - radius; }, 4);
-    return std::vector<double>{ inside, 1.0 - inside };
+    const double below = fractionBelowPlane(box, normal, normal.dot(point));
+    return std::vector<double>{ below, 1.0 - below };
   };
 }
 }
 
-TEST(Extract, ASphereIsClosedAndItsVolumeIsNearlyRight)
+TEST(Extract, RandomPlanesKeepTheirPlaceAndVolume)
 {
-  const RectilinearGrid grid = cubeGrid(16);
-  const Simulation simulation = fractionSimulation(grid, 2, sphereFractions({ 0.5, 0.51, 0.49 }, 0.3));
-  const ExtractedInterfaces result = extract(simulation, false);
-  expectSound(result.interfaces, 2, bounds(simulation.grid));
-  const double exact = 4.0 / 3.0 * M_PI * 0.027;
-  EXPECT_NEAR(result.volumes[0].given, exact, 1e-5);
-  EXPECT_NEAR(result.volumes[0].reconstructed, enclosedVolume(result.interfaces, MaterialId(0)), 1e-12);
-  EXPECT_NEAR(result.volumes[0].reconstructed, exact, 0.05 * exact);
+  std::mt19937 random(7);
+  std::normal_distribution<double> normals;
+  std::uniform_real_distribution<double> offsets(0.3, 0.7);
+  const int n = 8;
+  for (int seed = 0; seed < 20; ++seed)
+  {
+    const Vector normal = Vector(normals(random), normals(random), normals(random)).normalized();
+    const Vector point(offsets(random), offsets(random), offsets(random));
+    const ExtractedInterfaces result = extract(fractionSimulation(cubeGrid(n), 2, belowPlane(normal, point)));
+    expectSound(result.interfaces, 2, Box{ Vector::Zero(), Vector::Ones() });
+    EXPECT_LT(largestCellError(result, 1.0 / (n * n * n)), 1e-3) << "seed " << seed;
+    EXPECT_NEAR(result.volumes[0].reconstructed, result.volumes[0].given, 1e-6);
+    EXPECT_LT(meanDistance(result.interfaces, plane(normal, point)), 0.01 / n) << "seed " << seed;
+  }
 }
 
-TEST(Extract, HexahedraGiveTheSameSurfacesAsTheRectilinearGrid)
+TEST(Extract, APlaneAlongTheGridIsExact)
 {
-  const RectilinearGrid grid = cubeGrid(8);
-  Simulation simulation = fractionSimulation(grid, 2, sphereFractions({ 0.5, 0.4, 0.6 }, 0.55));
-  const ExtractedInterfaces a = extract(simulation, false);
-  simulation.grid = asHexahedra(grid);
-  const ExtractedInterfaces b = extract(simulation, false);
-  expectSound(a.interfaces, 2, bounds(simulation.grid));
-  EXPECT_EQ(a.interfaces.points, b.interfaces.points);
-  ASSERT_EQ(a.interfaces.surfaces.size(), b.interfaces.surfaces.size());
-  EXPECT_EQ(a.interfaces.surfaces[0].triangles, b.interfaces.surfaces[0].triangles);
+  const Simulation simulation = fractionSimulation(cubeGrid(5), 2, belowPlane(Vector::UnitZ(), Vector(0.0, 0.0, 0.47)));
+  for (bool correct : { false, true })
+  {
+    for (const Vector& point : extract(simulation, correct).interfaces.points)
+    {
+      EXPECT_NEAR(point[2], 0.47, 1e-9);
+    }
+  }
+}
+
+TEST(Extract, NormalsPointIntoTheLowerMaterial)
+{
+  const ExtractedInterfaces result =
+    extract(fractionSimulation(cubeGrid(4), 2, belowPlane(Vector::UnitX(), Vector(0.4, 0.0, 0.0))));
+  const Interfaces::Surface& surface = surfaceBetween(result.interfaces, 0, 1);
+  for (const auto& t : surface.triangles)
+  {
+    const std::vector<Vector>& p = result.interfaces.points;
+    EXPECT_LT((p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]])[0], 0.0);
+  }
+}
+
+TEST(Extract, ASphereConvergesWithSecondOrder)
+{
+  const Distance distance = sphere({ 0.5, 0.51, 0.49 }, 0.3);
+  std::vector<double> errors;
+  for (int n : { 12, 24, 48 })
+  {
+    const ExtractedInterfaces result = extract(fractionSimulation(cubeGrid(n), 2, insideOf(distance)));
+    expectSound(result.interfaces, 2, Box{ Vector::Zero(), Vector::Ones() });
+    EXPECT_LT(largestCellError(result, 1.0 / (n * n * n)), 1e-3);
+    EXPECT_NEAR(result.volumes[0].reconstructed, result.volumes[0].given, 1e-6 * result.volumes[0].given);
+    EXPECT_NEAR(result.volumes[0].reconstructed, enclosedVolume(result.interfaces, MaterialId(0)), 1e-12);
+    errors.push_back(meanDistance(result.interfaces, distance));
+  }
+  EXPECT_GT(std::log2(errors[0] / errors[2]) / 2.0, 1.8);
+}
+
+TEST(Extract, ATorusIsClosedWithOneHandle)
+{
+  const auto distance = [](const Vector& x) {
+    const Vector d = x - Vector(0.5, 0.5, 0.5);
+    return std::hypot(std::hypot(d[0], d[1]) - 0.27, d[2]) - 0.12;
+  };
+  const ExtractedInterfaces result = extract(fractionSimulation(cubeGrid(20), 2, insideOf(distance)));
+  expectSound(result.interfaces, 2, Box{ Vector::Zero(), Vector::Ones() });
+  EXPECT_NEAR(result.volumes[0].reconstructed, 2.0 * M_PI * M_PI * 0.27 * 0.12 * 0.12, 1e-3 * 0.077);
+  const auto points = static_cast<Index>(result.interfaces.points.size());
+  EXPECT_EQ(points - result.interfaces.triangleCount() / 2, 0) << "Euler characteristic";
+}
+
+TEST(Extract, ConcentricShellsStayApart)
+{
+  const Vector center(0.48, 0.5, 0.52);
+  const Simulation simulation =
+    fractionSimulation(cubeGrid(20), 3, nested({ sphere(center, 0.22), sphere(center, 0.35) }));
+  const ExtractedInterfaces result = extract(simulation);
+  expectSound(result.interfaces, 3, Box{ Vector::Zero(), Vector::Ones() });
+  ASSERT_EQ(result.interfaces.surfaces.size(), 2u);
+  surfaceBetween(result.interfaces, 0, 1);
+  surfaceBetween(result.interfaces, 1, 2);
+  EXPECT_LT(largestCellError(result, 1.0 / 8000.0), 1e-3);
+}
+
+TEST(Extract, OneCellOfOneMaterialGivesNothing)
+{
+  const ExtractedInterfaces result =
+    extract(fractionSimulation(cubeGrid(1), 1, [](const Box&) { return std::vector<double>{ 1.0 }; }));
+  EXPECT_TRUE(result.interfaces.surfaces.empty());
+  EXPECT_TRUE(result.interfaces.points.empty());
+  EXPECT_DOUBLE_EQ(result.volumes[0].given, 1.0);
+  EXPECT_DOUBLE_EQ(result.volumes[0].reconstructed, 1.0);
+}
+
+TEST(Extract, OneMixedCellIsCutByItsFraction)
+{
+  const ExtractedInterfaces result = extract(fractionSimulation(cubeGrid(1), 2, [](const Box&) {
+    return std::vector<double>{ 0.3, 0.7 };
+  }));
+  expectSound(result.interfaces, 2, Box{ Vector::Zero(), Vector::Ones() });
+  EXPECT_NEAR(result.volumes[0].reconstructed, 0.3, 1e-3);
+}
+
+TEST(Extract, EqualFractionsEverywhereAreSound)
+{
+  const Simulation ties = fractionSimulation(cubeGrid(3), 2, [](const Box&) {
+    return std::vector<double>{ 0.5, 0.5 };
+  });
+  expectSound(extract(ties, false).interfaces, 2, Box{ Vector::Zero(), Vector::Ones() });
+  expectSound(extract(ties, true).interfaces, 2, Box{ Vector::Zero(), Vector::Ones() });
+}
+
+TEST(Extract, ACheckerboardIsSound)
+{
+  const Simulation board = fractionSimulation(cubeGrid(4), 2, [](const Box& box) {
+    const Vector cell = box.lower * 4.0;
+    const bool black = std::lround(cell.sum()) % 2 == 0;
+    return std::vector<double>{ black ? 1.0 : 0.0, black ? 0.0 : 1.0 };
+  });
+  expectSound(extract(board, false).interfaces, 2, Box{ Vector::Zero(), Vector::Ones() });
+  expectSound(extract(board, true).interfaces, 2, Box{ Vector::Zero(), Vector::Ones() });
+}
+
+TEST(Extract, FractionsAtPointsAreContouredWhereTheyAreEqual)
+{
+  const RectilinearGrid grid = cubeGrid(4);
+  Simulation simulation;
+  simulation.grid = grid;
+  simulation.materials = namedMaterials(2);
+  simulation.fractionAssociation = Association::Points;
+  std::vector<double> first;
+  std::vector<double> second;
+  for (Index p = 0; p < grid.pointCount(); ++p)
+  {
+    const double x = grid.coordinates[0][p % 5];
+    first.push_back(1.0 - x);
+    second.push_back(x);
+  }
+  simulation.fractions = { ownedArray(first), ownedArray(second) };
+  const ExtractedInterfaces result = extract(simulation);
+  ASSERT_FALSE(result.interfaces.points.empty());
+  for (const Vector& point : result.interfaces.points)
+  {
+    EXPECT_NEAR(point[0], 0.5, 1e-12);
+  }
 }
