@@ -179,7 +179,7 @@ void HierarchyBuilder::joinDiamond(CellId id)
   if (!diamond.valid())
   {
     diamond = DiamondId(static_cast<Index>(hierarchy_.diamonds.size()));
-    hierarchy_.diamonds.push_back({ center, CellId(), VertexId() });
+    hierarchy_.diamonds.push_back({ center, CellId(), VertexId(), {} });
     hierarchy_.table.insert(diamond, hierarchy_.diamonds);
   }
   cell.diamond = diamond;
@@ -332,6 +332,11 @@ void HierarchyBuilder::split(const std::vector<DiamondId>& diamonds, Progress& p
   {
     Diamond& diamond = hierarchy_.diamonds[static_cast<std::size_t>(id.value)];
     diamond.vertex = addVertex(diamond.center, materialsAround(id));
+    std::size_t parent = 0;
+    for (const LatticePoint& center : hierarchy_.lattice.parents(diamond.center))
+    {
+      diamond.parents[parent++] = hierarchy_.diamondAt(center);
+    }
     hierarchy_.forCellsOf(id, [&](CellId c) { parents.push_back(c); });
   }
   evaluateVertices(firstVertex, progress);

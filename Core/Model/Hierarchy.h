@@ -30,6 +30,8 @@ struct Diamond
   LatticePoint center;
   CellId firstCell;
   VertexId vertex; ///< made when the diamond splits
+  /// Filled when the diamond splits; invalid where there are fewer.
+  std::array<DiamondId, 4> parents;
 };
 
 /// Finds diamonds by their centres (open addressing).

@@ -12,23 +12,43 @@ Front::Front(const Hierarchy& hierarchy) : cellCount_(hierarchy.rootCount)
   }
 }
 
-bool Front::activate(const Hierarchy& hierarchy, const LatticePoint& center)
+bool Front::activateParents(const Hierarchy& hierarchy, DiamondId id)
 {
-  const DiamondId id = hierarchy.diamondAt(center);
-  if (id.valid() && active_[static_cast<std::size_t>(id.value)] != inactive)
+  bool allActive = true;
+  for (const DiamondId parent : hierarchy.diamond(id).parents)
+  {
+    allActive = allActive && (!parent.valid() || isActive(parent) || activate(hierarchy, parent));
+  }
+  return allActive;
+}
+
+bool Front::activateParents(const Hierarchy& hierarchy, const LatticePoint& center)
+{
+  bool allActive = true;
+  for (const LatticePoint& parent : hierarchy.lattice.parents(center))
+  {
+    const DiamondId id = hierarchy.diamondAt(parent);
+    // A diamond none of whose cells exist yet: its own parents come first.
+    const bool isActiveNow = id.valid() ? activate(hierarchy, id) : activateParents(hierarchy, parent) && false;
+    allActive = isActiveNow && allActive;
+  }
+  return allActive;
+}
+
+bool Front::activate(const Hierarchy& hierarchy, DiamondId id)
+{
+  if (active_[static_cast<std::size_t>(id.value)] != inactive)
   {
     return isActive(id);
   }
-  bool parentsActive = true;
-  for (const LatticePoint& parent : hierarchy.lattice.parents(center))
-  {
-    parentsActive = activate(hierarchy, parent) && parentsActive;
-  }
+  const bool isBuilt = hierarchy.isSplit(id);
+  const bool parentsActive =
+    isBuilt ? activateParents(hierarchy, id) : activateParents(hierarchy, hierarchy.diamond(id).center);
   if (!parentsActive)
   {
     return false;
   }
-  if (!hierarchy.isSplit(id))
+  if (!isBuilt)
   {
     active_[static_cast<std::size_t>(id.value)] = missing;
     missing_.push_back(id);
@@ -59,7 +79,7 @@ std::vector<DiamondId> Front::split(const Hierarchy& hierarchy, const std::vecto
   forgetMissing(hierarchy);
   for (const CellId c : cells)
   {
-    activate(hierarchy, hierarchy.diamond(hierarchy.cell(c).diamond).center);
+    activate(hierarchy, hierarchy.cell(c).diamond);
   }
   resting_.insert(resting_.end(), pending_.begin(), pending_.end());
   pending_.clear();
@@ -89,7 +109,7 @@ std::vector<DiamondId> Front::advance(
     {
       resting_.push_back(c);
     }
-    else if (!activate(hierarchy, hierarchy.diamond(diamond).center))
+    else if (!activate(hierarchy, diamond))
     {
       waiting_.push_back(c);
     }

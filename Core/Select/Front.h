@@ -33,7 +33,11 @@ public:
 
 private:
   bool isActive(DiamondId id) const { return active_[static_cast<std::size_t>(id.value)] == active; }
-  bool activate(const Hierarchy& hierarchy, const LatticePoint& center);
+  /// Splits a diamond in the mesh, its parents first; false if something has to be built before.
+  bool activate(const Hierarchy& hierarchy, DiamondId id);
+  bool activateParents(const Hierarchy& hierarchy, DiamondId id);
+  /// For diamonds that are not built, whose parents may not even exist.
+  bool activateParents(const Hierarchy& hierarchy, const LatticePoint& center);
   void forgetMissing(const Hierarchy& hierarchy);
 
   enum State : std::uint8_t
