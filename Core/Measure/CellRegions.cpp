@@ -1,5 +1,6 @@
 #include "Measure/CellRegions.h"
 
+#include "Geometry/RegionTetrahedra.h"
 #include "Model/Errors.h"
 
 #include <Eigen/Geometry>
@@ -56,31 +57,20 @@ void CellRegions::divide(Index cell)
   }
 }
 
-/// Calls add(fraction of the cell's volume, mean barycentric coordinates) for tetrahedra that make up a region: from
-/// one of its points to the triangles of its faces.
+/// Calls add(fraction of the cell's volume, mean barycentric coordinates) for tetrahedra that fill a region.
 template<class Add>
 void CellRegions::forEachTetrahedron(MaterialId m, Add&& add) const
 {
-  int apex = -1;
-  for (const TetrahedronCut::Face& face : cut_.faces())
+  std::vector<std::array<int, 4>> pieces;
+  fillRegion(cut_, m.value, pieces);
+  for (const std::array<int, 4>& piece : pieces)
   {
-    if (face.function != m.value)
+    Eigen::Matrix4d coordinates;
+    for (int row = 0; row < 4; ++row)
     {
-      continue;
+      coordinates.row(row) = Eigen::Map<const Eigen::RowVector4d>(cut_.coordinates()[piece[row]].data());
     }
-    const int first = cut_.loops()[face.begin];
-    apex = apex < 0 ? first : apex;
-    for (int i = face.begin + 1; i + 1 < face.end; ++i)
-    {
-      const std::array<int, 4> points = { apex, first, cut_.loops()[i], cut_.loops()[i + 1] };
-      Eigen::Matrix4d coordinates;
-      for (int row = 0; row < 4; ++row)
-      {
-        coordinates.row(row) = Eigen::Map<const Eigen::RowVector4d>(cut_.coordinates()[points[row]].data());
-      }
-      // All tetrahedra of a convex region have the same orientation; only rounding could say otherwise.
-      add(std::abs(coordinates.determinant()), Eigen::Vector4d(coordinates.colwise().mean().transpose()));
-    }
+    add(std::abs(coordinates.determinant()), Eigen::Vector4d(coordinates.colwise().mean().transpose()));
   }
 }
 

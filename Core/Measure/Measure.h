@@ -94,7 +94,7 @@ struct RepresentationErrors
 };
 
 /// Width to which Hausdorff intervals close, in units of the diagonal of the box.
-inline constexpr double defaultHausdorffTolerance = 1e-3;
+inline constexpr double defaultHausdorffTolerance = 1e-4;
 
 /// Measures a representation against the data it stands for, from the emitted values alone: errors of the fields over
 /// all native samples, of the interfaces both ways, of the volumes and masses of the materials.

@@ -14,7 +14,7 @@ namespace
 {
 constexpr Index cellsPerBlock = 512;
 /// Points in all cells together, as long as each cell gets at least 2^3.
-constexpr double pointsInAll = 1 << 18;
+constexpr double pointsInAll = 1 << 19;
 constexpr int fewestStrata = 2; ///< along each of the three axes
 constexpr int mostStrata = 6;
 

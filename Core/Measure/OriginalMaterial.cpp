@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace strata
@@ -23,27 +24,24 @@ std::vector<std::array<Vector, 3>> trianglesOf(const Interfaces& interfaces)
   return triangles;
 }
 
-/// The corners (bits 0 to 2) that span a triangle's feature.
-unsigned cornersOf(TriangleFeature feature)
+/// The corners at the ends of the feature on which a point lies; twice the same for a corner.
+std::array<int, 2> endsOf(TriangleFeature feature)
 {
   switch (feature)
   {
-    case TriangleFeature::Corner0:
-      return 1u;
     case TriangleFeature::Corner1:
-      return 2u;
+      return { 1, 1 };
     case TriangleFeature::Corner2:
-      return 4u;
+      return { 2, 2 };
     case TriangleFeature::Edge01:
-      return 3u;
+      return { 0, 1 };
     case TriangleFeature::Edge12:
-      return 6u;
+      return { 1, 2 };
     case TriangleFeature::Edge20:
-      return 5u;
-    case TriangleFeature::Face:
-      break;
+      return { 2, 0 };
+    default:
+      return { 0, 0 };
   }
-  return 7u;
 }
 }
 
@@ -74,57 +72,68 @@ OriginalMaterial::OriginalMaterial(const Interfaces& interfaces, MaterialId with
   }
 }
 
-/// The triangles that contain the feature on which the closest point lies.
-void OriginalMaterial::gatherCandidates(const TriangleTree::Hit& hit, std::vector<std::int32_t>& candidates) const
+Vector OriginalMaterial::normal(std::int32_t triangle) const
 {
-  const unsigned feature = cornersOf(hit.feature);
-  if (feature == 7u)
+  const auto& [a, b, c] = tree_.triangles()[triangle];
+  return (b - a).cross(c - a).normalized();
+}
+
+/// The far end of the edge at a corner that has the smallest angle with a direction.
+std::int32_t OriginalMaterial::edgeTowards(std::int32_t corner, const Vector& direction) const
+{
+  std::int32_t best = corner;
+  double largest = -std::numeric_limits<double>::infinity();
+  for (std::int32_t i = aroundStart_[corner]; i < aroundStart_[corner + 1]; ++i)
   {
-    candidates.push_back(hit.triangle);
-    return;
-  }
-  const std::array<std::int32_t, 3>& corners = sides_[hit.triangle].corners;
-  const int first = (feature & 1u) ? 0 : ((feature & 2u) ? 1 : 2);
-  for (std::int32_t i = aroundStart_[corners[first]]; i < aroundStart_[corners[first] + 1]; ++i)
-  {
-    const std::array<std::int32_t, 3>& others = sides_[around_[i]].corners;
-    bool containsAll = true;
-    for (int corner = 0; corner < 3; ++corner)
+    for (const std::int32_t end : sides_[around_[i]].corners)
     {
-      const bool needed = (feature >> corner) & 1u;
-      containsAll =
-        containsAll && (!needed || std::find(others.begin(), others.end(), corners[corner]) != others.end());
-    }
-    if (containsAll)
-    {
-      candidates.push_back(around_[i]);
+      const double cosine = (interfaces_.points[end] - interfaces_.points[corner]).normalized().dot(direction);
+      if (end != corner && cosine > largest)
+      {
+        largest = cosine;
+        best = end;
+      }
     }
   }
+  return best;
+}
+
+/// The material in which a point lies, given its offset from its closest point on an edge between two corners.
+MaterialId OriginalMaterial::sideOf(const Vector& offset, std::int32_t corner, std::int32_t otherCorner) const
+{
+  MaterialId material;
+  double squarest = -1.0;
+  for (std::int32_t i = aroundStart_[corner]; i < aroundStart_[corner + 1]; ++i)
+  {
+    const Side& side = sides_[around_[i]];
+    const double height = normal(around_[i]).dot(offset);
+    if (std::abs(height) > squarest &&
+        std::find(side.corners.begin(), side.corners.end(), otherCorner) != side.corners.end())
+    {
+      squarest = std::abs(height);
+      material = height >= 0.0 ? side.positive : side.negative;
+    }
+  }
+  return material;
+}
+
+MaterialId OriginalMaterial::sideOf(const Vector& offset, const TriangleTree::Hit& hit) const
+{
+  const Side& side = sides_[hit.triangle];
+  if (hit.feature == TriangleFeature::Face)
+  {
+    return normal(hit.triangle).dot(offset) >= 0.0 ? side.positive : side.negative;
+  }
+  const auto [first, second] = endsOf(hit.feature);
+  const std::int32_t corner = side.corners[first];
+  return sideOf(offset, corner, first == second ? edgeTowards(corner, offset) : side.corners[second]);
 }
 
 OriginalMaterial::Answer OriginalMaterial::at(const Vector& p) const
 {
   const TriangleTree::Hit hit = tree_.closest(p);
-  if (hit.triangle < 0)
-  {
-    return { withoutInterfaces_, hit.squaredDistance };
-  }
-  std::vector<std::int32_t> candidates;
-  gatherCandidates(hit, candidates);
-  double squarest = -1.0;
-  Answer answer{ withoutInterfaces_, std::sqrt(hit.squaredDistance) };
-  for (const std::int32_t candidate : candidates)
-  {
-    const auto& [a, b, c] = tree_.triangles()[candidate];
-    const Vector normal = (b - a).cross(c - a).normalized();
-    const double height = normal.dot(p - hit.point);
-    if (std::abs(height) > squarest)
-    {
-      squarest = std::abs(height);
-      answer.material = height >= 0.0 ? sides_[candidate].positive : sides_[candidate].negative;
-    }
-  }
-  return answer;
+  const MaterialId material = hit.triangle < 0 ? withoutInterfaces_ : sideOf(p - hit.point, hit);
+  return { material, std::sqrt(hit.squaredDistance) };
 }
 
 OriginalMaterial::Answer OriginalMaterial::at(const Vector& p, double needed, Ball& last) const

@@ -8,8 +8,9 @@
 namespace strata
 {
 /// Tells on which side of the original interfaces a point lies: in the material on the near side of the closest
-/// interface triangle. Where the closest point lies on an edge or corner, the one of its triangles decides that faces
-/// the point most squarely.
+/// interface triangle. Where the closest point is on an edge, the one of its triangles decides that faces the point
+/// most squarely: all of them lead away from the point, and of those that bound its material's wedge, one leads away
+/// least. Where it is a corner, this holds for the triangles at the corner's edge that leads away from the point least.
 class OriginalMaterial
 {
 public:
@@ -42,7 +43,10 @@ private:
     std::array<std::int32_t, 3> corners; ///< points of the interfaces
   };
 
-  void gatherCandidates(const TriangleTree::Hit& hit, std::vector<std::int32_t>& candidates) const;
+  std::int32_t edgeTowards(std::int32_t corner, const Vector& direction) const;
+  MaterialId sideOf(const Vector& offset, std::int32_t corner, std::int32_t otherCorner) const;
+  MaterialId sideOf(const Vector& offset, const TriangleTree::Hit& hit) const;
+  Vector normal(std::int32_t triangle) const;
 
   const Interfaces& interfaces_;
   MaterialId withoutInterfaces_;

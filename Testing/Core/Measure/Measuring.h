@@ -49,11 +49,14 @@ inline Triangles planeAcrossX(double at, int n)
   return parallelogram({ at, 0, 0 }, Vector::UnitY(), Vector::UnitZ(), n);
 }
 
+/// Width of measured Hausdorff intervals in units of the diagonal.
+inline constexpr double hausdorffTolerance = 1e-3;
+
 inline RepresentationErrors measure(
   const Mesh& mesh, const NativeData& native, const Interfaces& interfaces, const OriginalVolumes& volumes)
 {
   Progress progress;
-  return measureRepresentation(view(mesh), native, interfaces, volumes, progress);
+  return measureRepresentation(view(mesh), native, interfaces, volumes, progress, hausdorffTolerance);
 }
 
 inline const FieldErrorReport& fieldReport(const RepresentationErrors& errors, FieldId field, MaterialId m)

@@ -158,23 +158,25 @@ TEST(FieldErrors, SamplesInCellsWithoutTheMaterialsValuesAreInfinite)
 
 TEST(FieldErrors, ASampleOnASharedFaceTakesTheCellThatHasTheValues)
 {
-  // A's values are missing beyond x = 1/2; samples lie on x = 1/2.
-  Mesh mesh = twoHalves(4);
-  setValues(
-    mesh, density, A, [](const Vector& p, int) { return p.x() > 0.6 ? std::nan("") : linearField(density, A, p, 0); });
   PointData data(unitBox(), materials, fields);
   data.setField(density, [](MaterialId m, const Vector& p, int c) { return linearField(density, m, p, c); });
   data.setField(velocity, [](MaterialId m, const Vector& p, int c) { return linearField(velocity, m, p, c); });
-  for (int i = 0; i <= 16; ++i)
+  for (int i = 0; i < 17 * 17; ++i)
   {
-    for (int j = 0; j <= 16; ++j)
-    {
-      data.addSample({ 0.5, i / 16.0, j / 16.0 }, MaterialSet::of(A));
-    }
+    data.addSample({ 0.5, i % 17 / 16.0, i / 17 / 16.0 }, MaterialSet::of(A));
   }
-  const RepresentationErrors errors = measure(mesh, data, {}, halves);
-  EXPECT_EQ(fieldReport(errors, density, A).missing, 0);
-  EXPECT_NEAR(fieldReport(errors, density, A).largest, 0.0, 1e-6);
+  // The samples lie on x = 1/2; A's values are missing on one side of it.
+  for (const bool beyond : { true, false })
+  {
+    Mesh mesh = twoHalves(4);
+    setValues(mesh, density, A, [beyond](const Vector& p, int) {
+      const bool missing = beyond ? p.x() > 0.6 : p.x() < 0.4;
+      return missing ? std::nan("") : linearField(density, A, p, 0);
+    });
+    const RepresentationErrors errors = measure(mesh, data, {}, halves);
+    EXPECT_EQ(fieldReport(errors, density, A).missing, 0);
+    EXPECT_NEAR(fieldReport(errors, density, A).largest, 0.0, 1e-6);
+  }
 }
 
 TEST(FieldErrors, SamplesOutsideTheMeshAreInfinite)

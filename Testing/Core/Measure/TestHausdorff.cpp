@@ -181,6 +181,20 @@ TEST(Hausdorff, ATighterToleranceGivesAnIntervalInsideTheLooserOne)
   EXPECT_LE(tight.upper - tight.lower, 1e-5 + 1e-12);
 }
 
+TEST(Hausdorff, TheFarthestPointMayLieBetweenCornersThatAreClose)
+{
+  // All corners of the triangle lie on the other surface: a segment along the base and a point at the apex. On a leg,
+  // at height y, the base is y away and the apex (1 - y) sqrt(5) / 2: equally far at y = sqrt(5) / (2 + sqrt(5)).
+  const Triangles triangle = { { Vector(0, 0, 0), Vector(1, 0, 0), Vector(0.5, 1, 0) } };
+  const Triangles corners = { { Vector(0, 0, 0), Vector(0, 0, 0), Vector(1, 0, 0) },
+    { Vector(0.5, 1, 0), Vector(0.5, 1, 0), Vector(0.5, 1, 0) } };
+  const double truth = std::sqrt(5.0) / (2.0 + std::sqrt(5.0));
+  for (const double tolerance : { 1.0, 0.3, 0.1, 1e-4 })
+  {
+    expectWithin(distance(triangle, corners, tolerance).originalToRepresented, truth, tolerance);
+  }
+}
+
 TEST(Hausdorff, PointsAndSegmentsCountAsDegenerateTriangles)
 {
   const Vector p(1, 2, 3);

@@ -13,7 +13,7 @@ namespace
 const Materials materials = { { "a", true }, { "b", true }, { "c", true } };
 const OriginalVolumes volumes{ { 1.0, 0.0, 0.0 }, {} };
 /// Hausdorff intervals are this wide.
-const double width = defaultHausdorffTolerance * std::sqrt(3.0);
+const double width = hausdorffTolerance * std::sqrt(3.0);
 
 PointData noData()
 {
