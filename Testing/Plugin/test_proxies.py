@@ -52,6 +52,18 @@ def is_in_domain(prop, domain):
                for value in (prop.GetElement(i) for i in range(prop.GetNumberOfElements())))
 
 
+def default_in_range(element):
+    """Whether the defaults lie within the ranges of the definition; ranges of the data are not known here."""
+    values = [float(value) for value in element.get("default_values").split()]
+    for domain in element.iter():
+        if domain.tag in ("DoubleRangeDomain", "IntRangeDomain"):
+            lowest = float((domain.get("min") or "-inf").split()[0])
+            highest = float((domain.get("max") or "inf").split()[0])
+            if min(values) < lowest or max(values) > highest:
+                return False
+    return True
+
+
 def has_default(element):
     if element.get("default_values") not in (None, ""):
         return True
@@ -69,9 +81,9 @@ def faults_of_property(prop, element):
         yield "has no domain"
     if not has_default(element):
         yield "has no default"
-    for domain in domains(prop):
-        if element.tag != "InputProperty" and element.get("default_values") and not is_in_domain(prop, domain):
-            yield f"has a default outside its domain {domain.GetXMLName()}"
+    numeric = element.tag in ("DoubleVectorProperty", "IntVectorProperty")
+    if numeric and element.get("default_values") and not default_in_range(element):
+        yield "has a default outside its range"
 
 
 def faults_of_proxy(group, name, element):
