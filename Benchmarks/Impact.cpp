@@ -146,7 +146,10 @@ void countCells(benchmark::State& state, Index cells, std::size_t bytes)
   const auto count = static_cast<double>(cells);
   state.counters["cells"] = count;
   state.counters["cells/s"] = benchmark::Counter(count, benchmark::Counter::kIsIterationInvariantRate);
-  state.counters["bytes/cell"] = static_cast<double>(bytes) / count;
+  if (bytes > 0)
+  {
+    state.counters["bytes/cell"] = static_cast<double>(bytes) / count;
+  }
 }
 
 std::size_t bytesOf(const Hierarchy& hierarchy)

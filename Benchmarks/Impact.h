@@ -37,7 +37,7 @@ ErrorBounds bounds(double interfaceError, double density);
 /// Registers a benchmark for each resolution at hand with one and with two threads: function(state, series).
 void registerSeries(const std::string& name, void (*function)(benchmark::State&, int));
 
-/// Counters that every stage reports: cells, cells per second and bytes per cell.
+/// Counters that the stages report: cells, cells per second and bytes per cell (none for 0 bytes).
 void countCells(benchmark::State& state, Index cells, std::size_t bytes);
 
 /// Memory of what travels between the stages.
