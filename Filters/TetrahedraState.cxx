@@ -102,9 +102,11 @@ strata::ErrorBounds vtkStrataTetrahedra::Internals::bounds(double interfaceError
   result.interfaceError = interfaceError;
   for (std::size_t f = 0; f < this->native->fields().size(); ++f)
   {
-    const double range = this->native->range(strata::FieldId(static_cast<std::int64_t>(f)));
-    // A field that is constant has no error to bound.
-    result.fieldErrors.push_back(range > 0.0 ? relativeFieldError * range : infinity);
+    const strata::FieldId field(static_cast<std::int64_t>(f));
+    // Vectors that differ in direction alone have no range of lengths; a field of zeros has neither.
+    const double range = this->native->range(field);
+    const double scale = range > 0.0 ? range : this->native->magnitude(field);
+    result.fieldErrors.push_back(scale > 0.0 ? relativeFieldError * scale : infinity);
   }
   return result;
 }

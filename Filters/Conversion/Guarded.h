@@ -15,6 +15,8 @@ namespace strata::conversion
 template<typename Work>
 int guarded(vtkAlgorithm* filter, vtkDataObject* output, const Work& work)
 {
+  // An abort of the run before must not stop this one: this VTK doesn't reset the flag.
+  filter->SetAbortExecute(0);
   try
   {
     FilterProgress progress(filter);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -55,9 +56,10 @@ vtkSmartPointer<vtkStrataTetrahedra> filterOf(vtkDataObject* data)
 
 void hide(vtkImageData* image, std::initializer_list<vtkIdType> cells)
 {
+  vtkUnsignedCharArray* ghosts = image->AllocateCellGhostArray();
   for (const vtkIdType cell : cells)
   {
-    image->BlankCell(cell);
+    ghosts->SetValue(cell, vtkDataSetAttributes::HIDDENCELL);
   }
 }
 }

@@ -59,7 +59,7 @@ std::map<int, double> areas(vtkPolyData* polygons)
     double normal[3];
     vtkCell* polygon = polygons->GetCell(cell);
     const double area = vtkPolygon::ComputeArea(
-      polygon->GetPoints(), polygon->GetNumberOfPoints(), polygon->GetPointIds()->GetPointer(0), normal);
+      polygons->GetPoints(), polygon->GetNumberOfPoints(), polygon->GetPointIds()->GetPointer(0), normal);
     result[static_cast<int>(material->GetTuple1(cell))] += area;
   }
   return result;

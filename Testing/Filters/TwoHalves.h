@@ -3,6 +3,7 @@
 #include <vtkAlgorithm.h>
 #include <vtkCellData.h>
 #include <vtkDataObject.h>
+#include <vtkExecutive.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>

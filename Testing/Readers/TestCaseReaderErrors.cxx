@@ -34,7 +34,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 TEST_F(CaseReaderErrors, TextThatIsNoJsonIsNamedWithLineAndColumn)
 {
-  expectRefused("{\"strata\": 1,\n  \"materials\": oops}", { "case.strata", "line 2", "column 17" });
+  expectRefused("{\"strata\": 1,\n  \"materials\": oops}", { "case.strata", "line 2", "column 16" });
   expectRefused("", { "line 1, column 1" });
 }
 
