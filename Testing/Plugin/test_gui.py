@@ -15,10 +15,10 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 
 WINDOW = (1280, 1000)
 PATIENCE = 200  # seconds: a dialog that nobody expected waits for ever
-# The part of the window in which the render view lies, as fractions: left, right, top, bottom.
-VIEW = (0.27, 0.99, 0.24, 0.94)
-# Less than any data covers; more than axes, legend and outline do.
-SMALLEST_COVERED_PART = 0.05
+# The part of the window in which the render view lies, without its legend, as fractions: left, right, top, bottom.
+VIEW = (0.27, 0.88, 0.24, 0.94)
+# Less than the data cover; more than axes and outline do.
+SMALLEST_COVERED_PART = 0.15
 SMALLEST_NUMBER_OF_COLOURS = 8
 
 
