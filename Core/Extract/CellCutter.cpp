@@ -78,20 +78,29 @@ bool CellCutter::gather(const std::array<std::int32_t, 4>& vertices)
     }
     functions_.push_back(function);
   }
-  const auto loses = [this](const CornerValues& function) {
-    return std::any_of(functions_.begin(), functions_.end(), [&](const CornerValues& other) {
+  // What is beaten by one other at all corners wins nowhere.
+  std::uint64_t beaten = 0;
+  for (std::size_t i = 0; i < functions_.size(); ++i)
+  {
+    for (std::size_t j = 0; j < functions_.size(); ++j)
+    {
       bool everywhere = true;
       for (int corner = 0; corner < 4; ++corner)
       {
-        everywhere = everywhere && other.values[corner] < function.values[corner];
+        everywhere = everywhere && functions_[j].values[corner] < functions_[i].values[corner];
       }
-      return everywhere;
-    });
-  };
-  std::vector<CornerValues> candidates;
-  std::copy_if(functions_.begin(), functions_.end(), std::back_inserter(candidates),
-    [&](const CornerValues& function) { return !loses(function); });
-  functions_.swap(candidates);
+      beaten |= everywhere ? std::uint64_t{ 1 } << i : 0;
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < functions_.size(); ++i)
+  {
+    if (((beaten >> i) & 1u) == 0)
+    {
+      functions_[kept++] = functions_[i];
+    }
+  }
+  functions_.resize(kept);
   return functions_.size() > 1;
 }
 

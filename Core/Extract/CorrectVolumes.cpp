@@ -14,7 +14,7 @@ namespace
 constexpr int maximumSweeps = 40;
 /// Sweeping ends as well when this many sweeps leave more than this part of the errors, but not before the first
 /// ones: calling regions back costs errors at first.
-constexpr int firstSweeps = 15;
+constexpr int firstSweeps = 25;
 constexpr int stallSweeps = 5;
 constexpr double stallRatio = 0.97;
 /// Errors as parts of a cell's volume: a cell below the first asks for nothing; sweeps end when all are below the
