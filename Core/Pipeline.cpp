@@ -1,6 +1,7 @@
 #include "Pipeline.h"
 
 #include "Build/HierarchyBuilder.h"
+#include "Emit/Needs.h"
 #include "FittedLevel.h"
 #include "Model/Errors.h"
 #include "Select/Front.h"
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <tuple>
 
 namespace strata
 {
@@ -105,6 +107,21 @@ ErrorBounds scaled(ErrorBounds bounds, double scale)
   return bounds;
 }
 
+/// Values are stored as floats: no bound can be met below a few of their steps.
+constexpr double resolution = 4.0 * static_cast<double>(std::numeric_limits<float>::epsilon());
+
+/// The bounds, but for those that no refinement could meet.
+ErrorBounds attainable(ErrorBounds bounds, const NativeData& native)
+{
+  bounds.interfaceError = std::max(bounds.interfaceError, resolution * native.box().diagonal());
+  for (std::size_t f = 0; f < bounds.fieldErrors.size(); ++f)
+  {
+    const double smallest = resolution * native.magnitude(FieldId(static_cast<Index>(f)));
+    bounds.fieldErrors[f] = std::max(bounds.fieldErrors[f], smallest);
+  }
+  return bounds;
+}
+
 bool meets(const Achieved& achieved, const ErrorBounds& bounds)
 {
   bool result = achieved.interfaceError <= bounds.interfaceError;
@@ -113,6 +130,33 @@ bool meets(const Achieved& achieved, const ErrorBounds& bounds)
     result = result && achieved.fieldErrors[f] <= bounds.fieldErrors[f];
   }
   return result;
+}
+
+/// Says why a level that refinement took for finished does not meet the bounds.
+std::string reasonOf(const Achieved& achieved, const ErrorBounds& attainableBounds, bool everywhere)
+{
+  return everywhere && meets(achieved, attainableBounds) ? "resolution of the stored values" : "maximum level";
+}
+
+/// Gives vertices the materials that win on a face of a cell which holds none of them, so that no region ends at
+/// a face. The values are what they would be if the cell held the material.
+void closeRegions(const HierarchyBuilder& builder, const Hierarchy& values, Level& level, Progress& progress)
+{
+  for (;;)
+  {
+    const std::vector<MissingMaterial> missing = missingMaterials(values, level, progress);
+    if (missing.empty())
+    {
+      return;
+    }
+    for (const MissingMaterial& m : missing)
+    {
+      level.extra.push_back({ m.vertex, m.material, builder.valuesAt(m.vertex, m.material) });
+    }
+    std::sort(level.extra.begin(), level.extra.end(), [](const ExtraValues& a, const ExtraValues& b) {
+      return std::tie(a.vertex, a.material) < std::tie(b.vertex, b.material);
+    });
+  }
 }
 
 /// Fitting serves levels by bounds; a budget, a region or a view takes the direct method.
@@ -184,7 +228,7 @@ Level Multiresolution::State::selectDirect(const SelectOptions& select, Progress
 Level Multiresolution::State::selectWithinFinest(const SelectOptions& select, Progress& progress)
 {
   SelectOptions finestOptions = select;
-  finestOptions.bounds = finestOf(select);
+  finestOptions.bounds = attainable(finestOf(select), *native);
   finestOptions.maximumNumberOfCells = std::numeric_limits<Index>::max();
   const Level finest = selectDirect(finestOptions, progress);
   const bool accumulate = select.errorMethod == ErrorMethod::Accumulated;
@@ -222,7 +266,8 @@ Level Multiresolution::State::select(const SelectOptions& select, Progress& prog
 
 Mesh Multiresolution::State::emitSelected(const SelectOptions& chosen, const EmitOptions& emitted, Progress& progress)
 {
-  const Level level = select(chosen, progress);
+  Level level = select(chosen, progress);
+  closeRegions(*builder, hierarchy(), level, progress);
   progress.stage("Writing the mesh", buildShare, 1.0);
   return emitMesh(hierarchy(), level, emitted, progress);
 }
@@ -233,6 +278,7 @@ Mesh Multiresolution::State::emitFitted(const SelectOptions& select, const EmitO
   fit.maximumLevel = options.maximumLevel;
   FittedLevel fitted = fitLevel(*builder, select.bounds, fit, progress);
   fitted.level.achieved.stoppedBy = "bounds met";
+  closeRegions(*builder, fitted.values, fitted.level, progress);
   progress.stage("Writing the mesh", buildShare, 1.0);
   return emitMesh(fitted.values, fitted.level, emitted, progress);
 }
@@ -254,6 +300,8 @@ const Hierarchy* Multiresolution::hierarchy() const
 Mesh Multiresolution::level(const SelectOptions& options, Progress& progress, const EmitOptions& emitted)
 {
   check(options, state_->native->fields(), state_->options);
+  SelectOptions attained = options;
+  attained.bounds = attainable(options.bounds, *state_->native);
   try
   {
     progress.stage("Refining", 0.0, buildShare);
@@ -262,15 +310,15 @@ Mesh Multiresolution::level(const SelectOptions& options, Progress& progress, co
       state_->builder =
         std::make_unique<HierarchyBuilder>(state_->native, state_->interfaces, state_->options, progress);
     }
-    Mesh mesh = isFitted(options) ? state_->emitFitted(options, emitted, progress)
-                                  : state_->emitSelected(options, emitted, progress);
+    Mesh mesh = isFitted(attained) ? state_->emitFitted(attained, emitted, progress)
+                                   : state_->emitSelected(attained, emitted, progress);
     if (options.interest.everything())
     {
       mesh.achieved.boundMet = meets(mesh.achieved, options.bounds);
     }
     if (!mesh.achieved.boundMet && mesh.achieved.stoppedBy == "bounds met")
     {
-      mesh.achieved.stoppedBy = "maximum level";
+      mesh.achieved.stoppedBy = reasonOf(mesh.achieved, attained.bounds, options.interest.everything());
     }
     return mesh;
   }

@@ -313,6 +313,16 @@ CellElements HierarchyBuilder::gatherElements(CellId top) const
   return united(parts);
 }
 
+std::vector<float> HierarchyBuilder::valuesAt(VertexId vertex, MaterialId m) const
+{
+  const MaterialSet all = hierarchy_.vertexMaterials[static_cast<std::size_t>(vertex.value)] | MaterialSet::of(m);
+  const auto stride = static_cast<std::size_t>(hierarchy_.valuesPerMaterial);
+  std::vector<float> values(static_cast<std::size_t>(all.size()) * stride);
+  vertexValues_.evaluate(hierarchy_.position(vertex), all, values.data());
+  const auto first = values.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(all.rank(m)) * stride);
+  return { first, first + static_cast<std::ptrdiff_t>(stride) };
+}
+
 CellRows HierarchyBuilder::rows(CellId cell) const
 {
   return cellRows(hierarchy_, cell, Barycentric(cornerPositions(cell)), gatherElements(cell), *native_, interfaces_);

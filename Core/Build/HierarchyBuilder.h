@@ -30,6 +30,9 @@ public:
   /// A cell's own errors with other values at the vertices: `values` is this hierarchy but for those.
   CellErrors errors(const Hierarchy& values, CellId cell) const;
 
+  /// The values of any material at a vertex, in the layout of Hierarchy::values.
+  std::vector<float> valuesAt(VertexId vertex, MaterialId m) const;
+
 private:
   CellElements gatherElements(CellId cell) const;
   void makeBaseMesh();

@@ -1,11 +1,11 @@
 #include "Emit/Emit.h"
 
 #include "Emit/LeafCells.h"
+#include "Emit/Needs.h"
 
 #include <Eigen/Geometry>
 #include <tbb/parallel_for.h>
 
-#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -36,8 +36,8 @@ class Emitter
 {
 public:
   Emitter(const Hierarchy& hierarchy, const Level& level, const EmitOptions& options, Progress& progress) :
-    hierarchy_(hierarchy), options_(options), progress_(progress), cells_(leafCells(hierarchy, level)),
-    numbering_(numberVertices(hierarchy, cells_))
+    hierarchy_(hierarchy), level_(level), options_(options), progress_(progress), cells_(leafCells(hierarchy, level)),
+    needs_(hierarchy, level, cells_), numbering_(numberVertices(hierarchy, cells_))
   {
     mesh_.materials = hierarchy.materials;
     mesh_.fields = hierarchy.fields;
@@ -47,7 +47,6 @@ public:
   Mesh run()
   {
     emitCells();
-    findNeededMaterials();
     emitVertices();
     findAchievedErrors();
     return std::move(mesh_);
@@ -57,13 +56,12 @@ private:
   Index vertexCount() const { return static_cast<Index>(numbering_.vertices.size()); }
   Index cellCount() const { return static_cast<Index>(cells_.size()); }
   std::int32_t numberOf(VertexId v) const { return numbering_.numberOf[static_cast<std::size_t>(v.value)]; }
-  MaterialSet neededAt(Index number) const { return MaterialSet::fromBits(needed_[static_cast<std::size_t>(number)]); }
+  const float* valuesOf(VertexId v, MaterialId m) const { return level_.valuesOf(hierarchy_, v, m); }
 
   void emitCells();
   void emitTetrahedron(Index i);
   bool isInverted(const HierarchyCell& cell) const;
   MaterialId fillingMaterial(const HierarchyCell& cell, MaterialSet candidates) const;
-  void findNeededMaterials();
   void allocateVertexArrays();
   void emitVertices();
   void emitVertex(Index number);
@@ -72,11 +70,12 @@ private:
   void findAchievedErrors();
 
   const Hierarchy& hierarchy_;
+  const Level& level_;
   const EmitOptions& options_;
   Progress& progress_;
   std::vector<CellId> cells_;
+  Needs needs_;
   VertexNumbering numbering_;
-  std::vector<std::atomic<std::uint64_t>> needed_; ///< bits of the materials that the cells round a vertex hold
   Mesh mesh_;
 };
 
@@ -119,7 +118,7 @@ void Emitter::emitTetrahedron(Index i)
   {
     std::swap(corners[2], corners[3]);
   }
-  mesh_.cellMaterial[i] = fillingMaterial(cell, hierarchy_.materialsOf(id)).value;
+  mesh_.cellMaterial[i] = fillingMaterial(cell, needs_.atAllCorners(cell)).value;
   mesh_.cellLevel[i] = cell.level;
   mesh_.cellInterfaceError[i] = hierarchy_.interfaceError(id);
   for (std::size_t f = 0; f < hierarchy_.fields.size(); ++f)
@@ -141,30 +140,17 @@ MaterialId Emitter::fillingMaterial(const HierarchyCell& cell, MaterialSet candi
     float smallest = std::numeric_limits<float>::infinity();
     for (const MaterialId m : candidates)
     {
-      smallest = std::min(smallest, *hierarchy_.valuesOf(corner, m));
+      smallest = std::min(smallest, *valuesOf(corner, m));
     }
     for (const MaterialId m : winners)
     {
-      if (*hierarchy_.valuesOf(corner, m) > smallest)
+      if (*valuesOf(corner, m) > smallest)
       {
         winners.erase(m);
       }
     }
   }
   return winners.empty() ? MaterialId() : winners.first();
-}
-
-void Emitter::findNeededMaterials()
-{
-  needed_ = std::vector<std::atomic<std::uint64_t>>(numbering_.vertices.size());
-  forEach(cellCount(), progress_, [this](Index i) {
-    const CellId id = cells_[static_cast<std::size_t>(i)];
-    for (const VertexId corner : hierarchy_.cell(id).corners)
-    {
-      needed_[static_cast<std::size_t>(numberOf(corner))].fetch_or(
-        hierarchy_.materialsOf(id).bits(), std::memory_order_relaxed);
-    }
-  });
 }
 
 void Emitter::allocateVertexArrays()
@@ -201,7 +187,7 @@ void Emitter::emitVertex(Index number)
   const VertexId vertex = numbering_.vertices[static_cast<std::size_t>(number)];
   const Vector position = hierarchy_.position(vertex);
   std::copy_n(position.data(), 3, mesh_.points.data() + 3 * number);
-  const MaterialSet needed = neededAt(number);
+  const MaterialSet needed = needs_.at(vertex);
   const MaterialId own = materialAt(vertex, needed);
   mesh_.vertexMaterial[number] = own.value;
   for (std::size_t m = 0; m < hierarchy_.materials.size(); ++m)
@@ -213,7 +199,7 @@ void Emitter::emitVertex(Index number)
       mesh_.ghosts[m][number] = material == own ? 0 : (needed.contains(material) ? 1 : 2);
     }
   }
-  const float* values = hierarchy_.valuesOf(vertex, own) + 1;
+  const float* values = valuesOf(vertex, own) + 1;
   for (std::size_t f = 0; f < hierarchy_.fields.size(); ++f)
   {
     const int components = hierarchy_.fields[f].components;
@@ -225,7 +211,7 @@ void Emitter::emitVertex(Index number)
 void Emitter::emitMaterialAtVertex(Index number, VertexId vertex, MaterialId m, bool needed)
 {
   const auto index = static_cast<std::size_t>(m.value);
-  const float* values = needed ? hierarchy_.valuesOf(vertex, m) : nullptr;
+  const float* values = needed ? valuesOf(vertex, m) : nullptr;
   if (options_.distances)
   {
     mesh_.distances[index][number] = values ? values[0] : notANumber;
@@ -250,7 +236,7 @@ MaterialId Emitter::materialAt(VertexId vertex, MaterialSet candidates) const
   MaterialId nearest = candidates.first();
   for (const MaterialId m : candidates)
   {
-    nearest = *hierarchy_.valuesOf(vertex, m) < *hierarchy_.valuesOf(vertex, nearest) ? m : nearest;
+    nearest = *valuesOf(vertex, m) < *valuesOf(vertex, nearest) ? m : nearest;
   }
   return nearest;
 }

@@ -16,10 +16,19 @@ namespace
 {
 /// Vertices all of whose cells have errors below this part of their bounds are left alone.
 constexpr double worthFitting = 0.6;
-/// Moves one number to where the objective is smallest near its start; a move that does not pay is not made.
-void minimize(float& value, double reach, const Influence& influence)
+/// How far a value may be moved.
+struct Limits
 {
-  const float moved = value + static_cast<float>(influence.bestChange(reach));
+  double lowest = -std::numeric_limits<double>::infinity();
+  double highest = std::numeric_limits<double>::infinity();
+};
+
+/// Moves one number to where the objective is smallest near its start; a move that does not pay is not made.
+void minimize(float& value, double reach, const Limits& limits, const Influence& influence)
+{
+  const double change =
+    std::clamp(influence.bestChange(reach), std::min(limits.lowest, 0.0), std::max(limits.highest, 0.0));
+  const float moved = value + static_cast<float>(change);
   if (influence.objective(static_cast<double>(moved) - static_cast<double>(value)) < influence.objective(0.0))
   {
     value = moved;
@@ -41,28 +50,62 @@ public:
     for (const MaterialId m : values_.vertexMaterials[static_cast<std::size_t>(vertex_.value)])
     {
       gatherPlanes(m);
-      move(m, 0, bounds_.interfaceError);
+      move(m, 0, bounds_.interfaceError, distanceLimits(m));
       int position = 1;
       for (std::size_t f = 0; f < values_.fields.size(); ++f)
       {
         for (int c = 0; c < values_.fields[f].components; ++c)
         {
           gatherSamples(m, f, c);
-          move(m, position++, bounds_.fieldErrors[f]);
+          move(m, position++, bounds_.fieldErrors[f], {});
         }
       }
     }
   }
 
 private:
-  void move(MaterialId m, int position, double bound)
+  void move(MaterialId m, int position, double bound, const Limits& limits)
   {
     const double error = influence_.largest(0.0);
     if (error >= worthFitting && std::isfinite(error))
     {
       const auto first = static_cast<std::size_t>(values_.valuesOf(vertex_, m) - values_.values.data());
-      minimize(values_.values[first + static_cast<std::size_t>(position)], 2.0 * error * bound, influence_);
+      minimize(values_.values[first + static_cast<std::size_t>(position)], 2.0 * error * bound, limits, influence_);
     }
+  }
+
+  double smallestDistance(MaterialSet materials) const
+  {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const MaterialId m : materials)
+    {
+      smallest = std::min(smallest, static_cast<double>(*values_.valuesOf(vertex_, m)));
+    }
+    return smallest;
+  }
+
+  /// A material that a cell round the vertex does not hold must not become the nearest there: its region would
+  /// reach into the cell, where no error is measured for it.
+  Limits distanceLimits(MaterialId m) const
+  {
+    const double own = static_cast<double>(*values_.valuesOf(vertex_, m));
+    const MaterialSet all = values_.vertexMaterials[static_cast<std::size_t>(vertex_.value)];
+    Limits limits;
+    for (const std::size_t c : star_)
+    {
+      const MaterialSet held = values_.materialsOf(cells_[c]);
+      if (!held.contains(m))
+      {
+        limits.lowest = std::max(limits.lowest, smallestDistance(held) - own);
+        continue;
+      }
+      const double absent = smallestDistance(all - held);
+      if (smallestDistance(held - MaterialSet::of(m)) > absent)
+      {
+        limits.highest = std::min(limits.highest, absent - own);
+      }
+    }
+    return limits;
   }
 
   std::size_t cornerIn(const HierarchyCell& cell) const
