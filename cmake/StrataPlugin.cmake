@@ -45,3 +45,9 @@ if (STRATA_PYTHON)
   install(FILES "${CMAKE_BINARY_DIR}/${STRATA_PYTHON_DESTINATION}/strata/__init__.py"
     DESTINATION "${STRATA_PYTHON_DESTINATION}/strata" COMPONENT python)
 endif ()
+
+# All that using the plugin needs, without the tests.
+add_custom_target(strata_plugin DEPENDS Strata)
+if (STRATA_PYTHON)
+  add_dependencies(strata_plugin vtkStrataFiltersPython vtkStrataReadersPython)
+endif ()
