@@ -65,7 +65,7 @@ using FractionsOf = std::function<std::vector<double>(const Box&)>;
 inline Simulation fractionSimulation(const RectilinearGrid& grid, std::size_t materialCount, const FractionsOf& of)
 {
   Simulation simulation;
-  simulation.grid = grid;
+  simulation.grid.emplace<RectilinearGrid>(grid);
   simulation.materials = namedMaterials(materialCount);
   std::vector<std::vector<double>> values(materialCount);
   for (Index cell = 0; cell < grid.cellCount(); ++cell)

@@ -132,7 +132,7 @@ inline double sampledFraction(
 inline Simulation sampledSimulation(const UnstructuredGrid& mesh, const std::function<double(const Vector&)>& distance)
 {
   Simulation simulation;
-  simulation.grid = mesh;
+  simulation.grid.emplace<UnstructuredGrid>(mesh);
   simulation.materials = namedMaterials(2);
   const auto topology = makeGridTopology(mesh);
   std::vector<double> inside;

@@ -148,7 +148,7 @@ TEST(Extract, FractionsAtPointsAreContouredWhereTheyAreEqual)
 {
   const RectilinearGrid grid = cubeGrid(4);
   Simulation simulation;
-  simulation.grid = grid;
+  simulation.grid.emplace<RectilinearGrid>(grid);
   simulation.materials = namedMaterials(2);
   simulation.fractionAssociation = Association::Points;
   std::vector<double> first;

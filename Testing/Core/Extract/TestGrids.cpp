@@ -21,6 +21,19 @@ void expectSame(const ExtractedInterfaces& a, const ExtractedInterfaces& b)
   }
 }
 
+/// Puts a simulation on a grid or on the same cells as hexahedra.
+void setGrid(Simulation& simulation, const RectilinearGrid& grid, bool unstructured)
+{
+  if (unstructured)
+  {
+    simulation.grid.emplace<UnstructuredGrid>(asHexahedra(grid));
+  }
+  else
+  {
+    simulation.grid.emplace<RectilinearGrid>(grid);
+  }
+}
+
 /// Adds the material `outside`, which fills the hidden cells.
 void addOutside(Simulation& simulation, const std::vector<std::uint8_t>& hidden)
 {
@@ -51,9 +64,9 @@ TEST(Grids, HexahedraGiveTheSameSurfacesAsTheRectilinearGrid)
   Simulation simulation = fractionSimulation(grid, 2, insideOf(sphere({ 0.5, 0.4, 0.6 }, 0.45)));
   for (bool correct : { false, true })
   {
-    simulation.grid = grid;
+    simulation.grid.emplace<RectilinearGrid>(grid);
     const ExtractedInterfaces a = extract(simulation, correct);
-    simulation.grid = asHexahedra(grid);
+    simulation.grid.emplace<UnstructuredGrid>(asHexahedra(grid));
     const ExtractedInterfaces b = extract(simulation, correct);
     expectSound(a.interfaces, 2, unitBox);
     if (!correct)
@@ -86,7 +99,7 @@ TEST(Grids, SurfacesEndAtHiddenCellsWithTheOutside)
   addOutside(simulation, grid.hidden);
   for (bool unstructured : { false, true })
   {
-    simulation.grid = unstructured ? Grid(asHexahedra(grid)) : Grid(grid);
+    setGrid(simulation, grid, unstructured);
     const ExtractedInterfaces result = extract(simulation);
     expectSound(result.interfaces, 3, unitBox);
     // A hole of 4^3 cells.
@@ -108,7 +121,7 @@ TEST(Grids, AMeshThatIsNoBoxIsBoundedByTheOutside)
   }
   Simulation simulation = fractionSimulation(cubeGrid(6), 2, insideOf(sphere({ 0.5, 0.5, 0.5 }, 0.6)));
   addOutside(simulation, std::vector<std::uint8_t>(216, 0));
-  simulation.grid = mesh;
+  simulation.grid.emplace<UnstructuredGrid>(mesh);
   const ExtractedInterfaces result = extract(simulation);
   const Box box = bounds(simulation.grid);
   expectSound(result.interfaces, 3, box);
@@ -146,7 +159,7 @@ TEST(Grids, MaterialIdsGiveTheFacesBetweenThem)
   }
   for (bool unstructured : { false, true })
   {
-    simulation.grid = unstructured ? Grid(asHexahedra(grid)) : Grid(grid);
+    setGrid(simulation, grid, unstructured);
     const ExtractedInterfaces result = extract(simulation);
     expectSound(result.interfaces, 3, unitBox);
     EXPECT_NEAR(enclosedVolume(result.interfaces, MaterialId(1)), 0.125, 1e-12);
