@@ -43,6 +43,9 @@ public:
   double tolerance() const { return tolerance_; }
 
 private:
+  template<class Visit>
+  bool visitLeaf(std::int64_t leaf, const Vector& p, Visit& visit) const;
+
   static constexpr int deepestTree = 48;
   static constexpr std::int64_t cellsPerLeaf = 4;
 
@@ -69,35 +72,45 @@ template<class Visit>
 bool TetrahedronLocator::visitCells(const Vector& p, Visit&& visit) const
 {
   const double reach = tolerance_ * tolerance_;
-  if (boxes_.empty() || !(boxes_.front().squaredDistance(p) <= reach))
+  if (boxes_.empty())
   {
     return false;
   }
   const std::int64_t firstLeaf = (std::int64_t{ 1 } << depth_) - 1;
   std::array<std::int64_t, deepestTree> stack;
   int size = 0;
-  stack[size++] = 0;
-  Weights weights;
+  const auto push = [&](std::int64_t node) {
+    if (boxes_[node].squaredDistance(p) <= reach)
+    {
+      stack[size++] = node;
+    }
+  };
+  push(0);
   while (size > 0)
   {
     const std::int64_t node = stack[--size];
     if (node < firstLeaf)
     {
-      for (const std::int64_t child : { 2 * node + 2, 2 * node + 1 })
-      {
-        if (boxes_[child].squaredDistance(p) <= reach)
-        {
-          stack[size++] = child;
-        }
-      }
-      continue;
+      push(2 * node + 2);
+      push(2 * node + 1);
     }
-    for (std::int64_t i = leafStart(node - firstLeaf); i < leafStart(node - firstLeaf + 1); ++i)
+    else if (visitLeaf(node - firstLeaf, p, visit))
     {
-      if (holds(order_[i], p, weights) && visit(order_[i], weights))
-      {
-        return true;
-      }
+      return true;
+    }
+  }
+  return false;
+}
+
+template<class Visit>
+bool TetrahedronLocator::visitLeaf(std::int64_t leaf, const Vector& p, Visit& visit) const
+{
+  Weights weights;
+  for (std::int64_t i = leafStart(leaf); i < leafStart(leaf + 1); ++i)
+  {
+    if (holds(order_[i], p, weights) && visit(order_[i], weights))
+    {
+      return true;
     }
   }
   return false;

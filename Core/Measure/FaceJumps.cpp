@@ -61,6 +61,18 @@ Index blocksOf(Index items)
   return (items + itemsPerBlock - 1) / itemsPerBlock;
 }
 
+void addFacesThatMayDivide(const Representation& representation, Index cell, std::vector<Face>& faces)
+{
+  for (int opposite = 0; opposite < 4; ++opposite)
+  {
+    const Face face = faceOf(representation, cell, opposite);
+    if (mayDivide(representation, face))
+    {
+      faces.push_back(face);
+    }
+  }
+}
+
 std::vector<Face> facesThatMayDivide(const Representation& representation, Progress& progress)
 {
   std::vector<std::vector<Face>> blocks(static_cast<std::size_t>(blocksOf(representation.cellCount)));
@@ -69,14 +81,7 @@ std::vector<Face> facesThatMayDivide(const Representation& representation, Progr
     const Index begin = static_cast<Index>(block) * itemsPerBlock;
     for (Index cell = begin; cell < std::min(begin + itemsPerBlock, representation.cellCount); ++cell)
     {
-      for (int opposite = 0; opposite < 4; ++opposite)
-      {
-        const Face face = faceOf(representation, cell, opposite);
-        if (mayDivide(representation, face))
-        {
-          blocks[block].push_back(face);
-        }
-      }
+      addFacesThatMayDivide(representation, cell, blocks[block]);
     }
   });
   std::vector<Face> faces;

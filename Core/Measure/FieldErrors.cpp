@@ -187,6 +187,7 @@ void FieldErrorMeasure::addSamples(MaterialId m, const std::vector<SampleIndex>&
   std::vector<Vector> positions(samples.size());
   native_.positions(samples.data(), count, positions.data());
   std::vector<Location> locations;
+  locations.reserve(samples.size());
   for (const Vector& position : positions)
   {
     locations.push_back(locate(position, m, locations.empty() ? -1 : locations.back().cell));
