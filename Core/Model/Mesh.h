@@ -15,7 +15,8 @@ struct Achieved
   double interfaceError = 0.0;
   std::vector<double> fieldErrors; ///< one per field
   bool boundMet = true;
-  std::string stoppedBy; ///< "bounds met", "maximum level", "maximum number of cells"
+  /// "bounds met", "maximum level", "maximum number of cells", "resolution of the stored values".
+  std::string stoppedBy;
 };
 
 /// The representation (design 1): tetrahedra, and at their vertices a distance and field values per material.

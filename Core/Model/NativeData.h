@@ -60,12 +60,15 @@ public:
 
   /// Largest minus smallest value of a field over all samples and materials (of its length for vectors).
   double range(FieldId field) const { return ranges_[static_cast<std::size_t>(field.value)]; }
+  /// Largest absolute value of a field over all samples and materials (length of vectors).
+  double magnitude(FieldId field) const { return magnitudes_[static_cast<std::size_t>(field.value)]; }
 
 protected:
   Box box_;
   Materials materials_;
   std::vector<Field> fields_;
   std::vector<double> ranges_;
+  std::vector<double> magnitudes_;
 };
 
 inline int NativeData::componentCount() const

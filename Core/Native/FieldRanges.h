@@ -3,6 +3,8 @@
 #include "Model/Progress.h"
 #include "Native/SampleMaterials.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -25,6 +27,8 @@ struct Range
     upper = other.upper > upper ? other.upper : upper;
   }
   double size() const { return upper > lower ? upper - lower : 0.0; }
+  /// The largest absolute value; 0 where there are no numbers.
+  double magnitude() const { return upper < lower ? 0.0 : std::max(std::abs(lower), std::abs(upper)); }
 };
 
 /// The ranges of a field over the samples that count.

@@ -88,6 +88,7 @@ void SampledData::readRanges(Progress& progress)
 {
   fieldRanges_.resize(arrays_.size());
   ranges_.resize(arrays_.size());
+  magnitudes_.resize(arrays_.size());
   for (const SampleGroup& group : groups_)
   {
     for (const FieldId field : group.fields)
@@ -95,6 +96,7 @@ void SampledData::readRanges(Progress& progress)
       const auto f = static_cast<std::size_t>(field.value);
       fieldRanges_[f] = findRange(arrays_[f], materials_, group.materials, progress);
       ranges_[f] = fieldRanges_[f].length.size();
+      magnitudes_[f] = fieldRanges_[f].length.magnitude();
     }
   }
 }

@@ -22,6 +22,7 @@ public:
     fields_ = fields;
     functions_.resize(fields.size());
     ranges_.resize(fields.size(), 1.0);
+    magnitudes_.resize(fields.size(), 1.0);
   }
 
   void setField(FieldId field, Function function) { functions_[at(field)] = std::move(function); }
