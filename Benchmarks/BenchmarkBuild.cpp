@@ -14,6 +14,7 @@ void build(benchmark::State& state, int series, const NamedBounds& wanted)
   Index cells = 0;
   Index levelCells = 0;
   std::size_t bytes = 0;
+  const ThreadShare share;
   for (auto _ : state)
   {
     HierarchyBuilder builder(data.native, data.interfaces, {}, progress);
@@ -21,6 +22,7 @@ void build(benchmark::State& state, int series, const NamedBounds& wanted)
     cells = static_cast<Index>(builder.hierarchy().cells.size());
     bytes = bytesOf(builder.hierarchy());
   }
+  share.report(state);
   countCells(state, cells, bytes);
   state.counters["level cells"] = static_cast<double>(levelCells);
   state.counters["native cells"] = static_cast<double>(cellCount(data.simulation.grid));

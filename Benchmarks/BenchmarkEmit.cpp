@@ -15,10 +15,12 @@ void emit(benchmark::State& state, int series, const EmitOptions& options)
   HierarchyBuilder builder(data.native, data.interfaces, {}, progress);
   const Level level = buildLevel(builder, bounds(fine.interfaceError, fine.density), progress);
   Mesh mesh;
+  const ThreadShare share;
   for (auto _ : state)
   {
     mesh = emitMesh(builder.hierarchy(), level, options, progress);
   }
+  share.report(state);
   countCells(state, mesh.cellCount(), bytesOf(mesh));
 }
 

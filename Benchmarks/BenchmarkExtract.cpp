@@ -15,10 +15,12 @@ void extract(benchmark::State& state, int series, bool volumeCorrection)
   options.volumeCorrection = volumeCorrection;
   Progress progress;
   Index triangles = 0;
+  const ThreadShare share;
   for (auto _ : state)
   {
     triangles = extractInterfaces(simulation, options, progress).interfaces.triangleCount();
   }
+  share.report(state);
   const auto cells = static_cast<double>(cellCount(simulation.grid));
   state.counters["triangles"] = static_cast<double>(triangles);
   state.counters["native cells/s"] = benchmark::Counter(cells, benchmark::Counter::kIsIterationInvariantRate);

@@ -28,10 +28,12 @@ void selectDirect(benchmark::State& state, int series)
   Progress progress;
   Built data = built(series, progress);
   Index cells = 0;
+  const ThreadShare share;
   for (auto _ : state)
   {
     cells = buildLevel(data.builder, bounds(fine.interfaceError, fine.density), progress).cellCount;
   }
+  share.report(state);
   countCells(state, cells, data.finest.active.size());
 }
 
@@ -41,10 +43,12 @@ void selectNested(benchmark::State& state, int series, bool accumulate)
   const Built data = built(series, progress);
   const ErrorBounds wanted = bounds(2.0 * fine.interfaceError, 2.0 * fine.density);
   Index cells = 0;
+  const ThreadShare share;
   for (auto _ : state)
   {
     cells = selectSaturated(data.builder.hierarchy(), data.finest, wanted, accumulate).cellCount;
   }
+  share.report(state);
   countCells(state, cells, data.finest.active.size());
 }
 

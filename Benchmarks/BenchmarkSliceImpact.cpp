@@ -33,10 +33,12 @@ void dragged(benchmark::State& state, int series)
   const Mesh mesh = fineMesh(series, progress);
   const SliceIndex index(view(mesh), progress);
   Index polygons = 0;
+  const ThreadShare share;
   for (auto _ : state)
   {
     polygons = slice(view(mesh), askew, withFields(), &index, progress).material.size();
   }
+  share.report(state);
   countCells(state, mesh.cellCount(), 0);
   state.counters["polygons"] = static_cast<double>(polygons);
 }
@@ -45,11 +47,13 @@ void first(benchmark::State& state, int series)
 {
   Progress progress;
   const Mesh mesh = fineMesh(series, progress);
+  const ThreadShare share;
   for (auto _ : state)
   {
     const SliceIndex index(view(mesh), progress);
     benchmark::DoNotOptimize(slice(view(mesh), askew, withFields(), &index, progress));
   }
+  share.report(state);
   countCells(state, mesh.cellCount(), 0);
 }
 }

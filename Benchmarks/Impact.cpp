@@ -7,6 +7,7 @@
 #include <tbb/global_control.h>
 
 #include <array>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -36,6 +37,13 @@ ValueArray readCellArray(std::ifstream& file, Index cells)
   auto values = std::make_shared<std::vector<float>>(cells);
   read(file, values->data(), cells);
   return { values->data(), cells, 1, values };
+}
+
+double secondsOf(clockid_t clock)
+{
+  timespec time{};
+  clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 template<typename T>
@@ -150,6 +158,16 @@ void countCells(benchmark::State& state, Index cells, std::size_t bytes)
   {
     state.counters["bytes/cell"] = static_cast<double>(bytes) / count;
   }
+}
+
+ThreadShare::ThreadShare() :
+  processSeconds_(secondsOf(CLOCK_PROCESS_CPUTIME_ID)), threadSeconds_(secondsOf(CLOCK_THREAD_CPUTIME_ID))
+{}
+
+void ThreadShare::report(benchmark::State& state) const
+{
+  const double process = secondsOf(CLOCK_PROCESS_CPUTIME_ID) - processSeconds_;
+  state.counters["share"] = process / (secondsOf(CLOCK_THREAD_CPUTIME_ID) - threadSeconds_);
 }
 
 std::size_t bytesOf(const Hierarchy& hierarchy)

@@ -40,6 +40,20 @@ void registerSeries(const std::string& name, void (*function)(benchmark::State&,
 /// Counters that the stages report: cells, cells per second and bytes per cell (none for 0 bytes).
 void countCells(benchmark::State& state, Index cells, std::size_t bytes);
 
+/// How well the threads share the work: processor time of all threads over that of the calling one. On an idle machine
+/// this is what they gain, and unlike the time that passes it can be read on a busy one.
+class ThreadShare
+{
+public:
+  ThreadShare();
+  /// Sets the counter `share` for the work since construction.
+  void report(benchmark::State& state) const;
+
+private:
+  double processSeconds_;
+  double threadSeconds_;
+};
+
 /// Memory of what travels between the stages.
 std::size_t bytesOf(const Hierarchy& hierarchy);
 std::size_t bytesOf(const Mesh& mesh);
