@@ -32,6 +32,7 @@ constexpr Choices all[] = {
   { "closest point, constant", ownDistance, paperGhosts, ErrorMethod::Direct },
   { "closest point, linear", ownDistance, GhostMethod::Linear, ErrorMethod::Direct },
   { "Strata", ownDistance, ownGhosts, ErrorMethod::Direct },
+  { "Strata fitted", ownDistance, ownGhosts, ErrorMethod::Fitted },
   { "Strata saturated, 3x finer", ownDistance, ownGhosts, ErrorMethod::Saturated, 3.0 },
   { "Strata accumulated, 3x finer", ownDistance, ownGhosts, ErrorMethod::Accumulated, 3.0 },
 };
