@@ -163,8 +163,8 @@ private:
       }
       ++candidate;
     }
-    throw InvalidInput("cell " + std::to_string(faces.neighbours[f]) + " has the corners of a face of cell " +
-                       std::to_string(complex_.cells[localCell_[faces.neighbours[f]]]) + " but not that face");
+    // Three cells share the face.
+    throw InvalidInput("a face of cell " + std::to_string(faces.neighbours[f]) + " has more than one neighbour");
   }
 
   /// Sums run by ascending native id, so that they don't depend on how a cell lists its corners.
@@ -185,14 +185,7 @@ private:
       }
     });
     forEachCell([this](std::int32_t c, const CellFaces& faces) {
-      std::vector<std::int32_t> corners;
-      std::vector<Index> ids;
-      topology_.corners(complex_.cells[c], ids);
-      for (Index id : ids)
-      {
-        corners.push_back(localNode_[id]);
-      }
-      complex_.positions[complex_.cellVertex(c)] = mean(corners);
+      complex_.positions[complex_.cellVertex(c)] = topology_.center(complex_.cells[c]);
       orientFaces(c, faces.count());
     });
   }

@@ -137,17 +137,29 @@ private:
       {
         continue;
       }
+      const Vector middle = middleOfNodes(c);
       Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
       Vector gradient = Vector::Zero();
       for (std::int32_t i = around_.nodeStart[c]; i < around_.nodeStart[c + 1]; ++i)
       {
         const std::int32_t node = around_.nodes[i];
-        const Vector step = complex_.positions[node] - complex_.positions[center];
+        const Vector step = complex_.positions[node] - middle;
         spread += step * step.transpose();
         gradient += values_.at(node, values_.materials[e]) * step;
       }
       setNormal(c, e, spread.ldlt().solve(gradient));
     }
+  }
+
+  /// Not the cell's centre where points hang on its faces.
+  Vector middleOfNodes(std::int32_t c) const
+  {
+    Vector sum = Vector::Zero();
+    for (std::int32_t i = around_.nodeStart[c]; i < around_.nodeStart[c + 1]; ++i)
+    {
+      sum += complex_.positions[around_.nodes[i]];
+    }
+    return sum / static_cast<double>(around_.nodeStart[c + 1] - around_.nodeStart[c]);
   }
 
   void setNormal(std::int32_t c, Index entry, const Vector& gradient)

@@ -125,7 +125,7 @@ void Fractions::ofCell(Index cell, std::vector<Share>& result) const
   if (atPoints_)
   {
     std::vector<Index> points;
-    topology_.corners(cell, points);
+    topology_.centerCorners(cell, points);
     mean(points, result);
     return;
   }

@@ -27,7 +27,7 @@ double sixfoldVolume(const std::vector<Vector>& corners, const Vector& apex)
 Vector GridTopology::center(Index cell) const
 {
   std::vector<Index> ids;
-  corners(cell, ids);
+  centerCorners(cell, ids);
   std::sort(ids.begin(), ids.end());
   Vector sum = Vector::Zero();
   for (Index id : ids)
@@ -40,7 +40,7 @@ Vector GridTopology::center(Index cell) const
 double GridTopology::volume(Index cell) const
 {
   CellFaces cellFaces;
-  faces(cell, cellFaces);
+  faceCorners(cell, cellFaces);
   const Vector apex = center(cell);
   double sum = 0.0;
   std::vector<Vector> face;
@@ -56,8 +56,8 @@ double GridTopology::volume(Index cell) const
   return sum / 6.0;
 }
 
-std::unique_ptr<GridTopology> makeGridTopology(const Grid& grid)
+std::unique_ptr<GridTopology> makeGridTopology(const Grid& grid, Progress& progress)
 {
-  return std::visit([](const auto& g) { return makeGridTopology(g); }, grid);
+  return std::visit([&](const auto& g) { return makeGridTopology(g, progress); }, grid);
 }
 }

@@ -56,6 +56,21 @@ bool isFlat(const Face& face)
     [&](const Vector& corner) { return std::abs(normal.dot(corner - face.center)) <= 1e-12 * size; });
 }
 
+/// Whether no triangle of the fan from the first corner is degenerate, as it may be where points hang on edges.
+bool canFan(const Face& face)
+{
+  for (std::size_t i = 1; i + 1 < face.corners.size(); ++i)
+  {
+    const Vector a = face.corners[i] - face.corners[0];
+    const Vector b = face.corners[i + 1] - face.corners[0];
+    if (a.cross(b).norm() <= 1e-9 * (a.squaredNorm() + b.squaredNorm()))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 void addFace(SurfacePatch& patch, std::uint8_t front, std::uint8_t back, const Face& face)
 {
   const std::size_t n = face.corners.size();
@@ -64,7 +79,7 @@ void addFace(SurfacePatch& patch, std::uint8_t front, std::uint8_t back, const F
   {
     corners.push_back(patch.addPoint(corner));
   }
-  if (isFlat(face))
+  if (isFlat(face) && canFan(face))
   {
     for (std::size_t i = 1; i + 1 < n; ++i)
     {

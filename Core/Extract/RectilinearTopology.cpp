@@ -121,7 +121,7 @@ private:
 };
 }
 
-std::unique_ptr<GridTopology> makeGridTopology(const RectilinearGrid& grid)
+std::unique_ptr<GridTopology> makeGridTopology(const RectilinearGrid& grid, Progress&)
 {
   return std::make_unique<RectilinearGridTopology>(grid);
 }

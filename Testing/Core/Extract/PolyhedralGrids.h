@@ -134,7 +134,8 @@ inline Simulation sampledSimulation(const UnstructuredGrid& mesh, const std::fun
   Simulation simulation;
   simulation.grid.emplace<UnstructuredGrid>(mesh);
   simulation.materials = namedMaterials(2);
-  const auto topology = makeGridTopology(mesh);
+  Progress progress;
+  const auto topology = makeGridTopology(mesh, progress);
   std::vector<double> inside;
   std::vector<double> rest;
   for (Index cell = 0; cell < mesh.cellCount(); ++cell)

@@ -1,0 +1,130 @@
+#include "Extract/UnmatchedFaces.h"
+
+#include "Extract/ForEach.h"
+#include "Geometry/Box.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace strata
+{
+namespace
+{
+/// A random number that belongs to a number (splitmix64).
+std::uint64_t mix(std::uint64_t x)
+{
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+Index lowestCorner(const CellFaces& faces, std::int32_t f)
+{
+  return *std::min_element(faces.corners.begin() + faces.start[f], faces.corners.begin() + faces.start[f + 1]);
+}
+
+/// By point: combines the faces whose lowest corner it is. Two equal faces cancel, so that 0 says: all are matched.
+std::vector<std::atomic<std::uint64_t>> sumFaces(const GridTopology& topology, Progress& progress)
+{
+  std::vector<std::atomic<std::uint64_t>> sums(static_cast<std::size_t>(topology.pointCount()));
+  tbb::parallel_for(tbb::blocked_range<Index>(0, topology.cellCount(), 1024), [&](const auto& range) {
+    progress.check();
+    CellFaces faces;
+    for (Index cell = range.begin(); cell < range.end(); ++cell)
+    {
+      if (topology.hidden(cell))
+      {
+        continue;
+      }
+      topology.faceCorners(cell, faces);
+      for (std::int32_t f = 0; f < faces.count(); ++f)
+      {
+        std::uint64_t sum = 0;
+        for (std::int32_t i = faces.start[f]; i < faces.start[f + 1]; ++i)
+        {
+          sum += mix(static_cast<std::uint64_t>(faces.corners[i]));
+        }
+        sums[lowestCorner(faces, f)].fetch_xor(mix(sum), std::memory_order_relaxed);
+      }
+    }
+  });
+  return sums;
+}
+
+Box boxRound(const GridTopology& topology)
+{
+  Box box;
+  for (Index point = 0; point < topology.pointCount(); ++point)
+  {
+    box.add(topology.point(point));
+  }
+  return box;
+}
+
+bool inSide(const GridTopology& topology, const CellFaces& faces, std::int32_t f, const Box& box)
+{
+  const double tolerance = 1e-9 * box.diagonal();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (double plane : { box.lower[axis], box.upper[axis] })
+    {
+      if (std::all_of(faces.corners.begin() + faces.start[f], faces.corners.begin() + faces.start[f + 1],
+            [&](Index corner) { return std::abs(topology.point(corner)[axis] - plane) <= tolerance; }))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+}
+
+std::vector<UnmatchedFace> findUnmatchedFaces(const GridTopology& topology, Progress& progress)
+{
+  const std::vector<std::atomic<std::uint64_t>> sums = sumFaces(topology, progress);
+  const Box box = boxRound(topology);
+  constexpr Index blockSize = 4096;
+  const Index blockCount = (topology.cellCount() + blockSize - 1) / blockSize;
+  std::vector<std::vector<UnmatchedFace>> blocks(static_cast<std::size_t>(blockCount));
+  tbb::parallel_for(Index{ 0 }, blockCount, [&](Index b) {
+    progress.check();
+    CellFaces faces;
+    for (Index cell = b * blockSize; cell < std::min((b + 1) * blockSize, topology.cellCount()); ++cell)
+    {
+      if (topology.hidden(cell))
+      {
+        continue;
+      }
+      topology.faceCorners(cell, faces);
+      const auto mayBeUnmatched = [&](std::int32_t f) {
+        return sums[lowestCorner(faces, f)].load(std::memory_order_relaxed) != 0 && !inSide(topology, faces, f, box);
+      };
+      bool any = false;
+      for (std::int32_t f = 0; f < faces.count(); ++f)
+      {
+        any = any || mayBeUnmatched(f);
+      }
+      if (!any)
+      {
+        continue;
+      }
+      topology.faces(cell, faces);
+      for (std::int32_t f = 0; f < faces.count(); ++f)
+      {
+        if (faces.neighbours[f] < 0 && mayBeUnmatched(f))
+        {
+          blocks[b].push_back({ cell, f });
+        }
+      }
+    }
+  });
+  std::vector<UnmatchedFace> result;
+  for (const std::vector<UnmatchedFace>& block : blocks)
+  {
+    result.insert(result.end(), block.begin(), block.end());
+  }
+  return result;
+}
+}
