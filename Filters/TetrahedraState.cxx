@@ -3,6 +3,7 @@
 #include "OriginalInterfaces.h"
 #include "SimulationFilterLists.h"
 
+#include "Conversion/InputRepresentation.h"
 #include "Conversion/ValueConversion.h"
 
 #include "Native/ReadNativeData.h"
@@ -111,6 +112,72 @@ strata::ErrorBounds vtkStrataTetrahedra::Internals::bounds(double interfaceError
   return result;
 }
 
+strata::RegionOfInterest vtkStrataTetrahedra::Internals::region(const vtkStrataTetrahedra& filter)
+{
+  if (!(filter.RegionCoarsening >= 1.0))
+  {
+    std::ostringstream message;
+    message << "RegionCoarsening is " << filter.RegionCoarsening << "; it must be at least 1";
+    throw strata::InvalidInput(message.str());
+  }
+  strata::RegionOfInterest region;
+  region.coarsening = filter.RegionCoarsening;
+  if (filter.RegionOfInterest == SPHERE)
+  {
+    checkBound("RegionRadius", filter.RegionRadius, false);
+    region.shape = strata::RegionOfInterest::Shape::Sphere;
+    region.center = strata::Vector(filter.RegionCenter);
+    region.radius = filter.RegionRadius;
+    return region;
+  }
+  const double* bounds = filter.RegionBounds;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!(bounds[2 * axis] <= bounds[2 * axis + 1]))
+    {
+      std::ostringstream message;
+      message << "RegionBounds go from " << bounds[2 * axis] << " to " << bounds[2 * axis + 1] << " along "
+              << "xyz"[axis] << "; the first must not be the larger";
+      throw strata::InvalidInput(message.str());
+    }
+  }
+  region.box.add(strata::Vector(bounds[0], bounds[2], bounds[4]));
+  region.box.add(strata::Vector(bounds[1], bounds[3], bounds[5]));
+  return region;
+}
+
+strata::View vtkStrataTetrahedra::Internals::view(const vtkStrataTetrahedra& filter)
+{
+  strata::View view;
+  view.position = strata::Vector(filter.CameraPosition);
+  view.focalPoint = strata::Vector(filter.CameraFocalPoint);
+  view.viewUp = strata::Vector(filter.CameraViewUp);
+  view.viewAngle = filter.CameraViewAngle;
+  view.aspect = filter.ImageAspect;
+  view.imageHeight = filter.ImageHeight;
+  view.pixelBound = filter.PixelErrorBound;
+  view.check();
+  return view;
+}
+
+strata::Interest vtkStrataTetrahedra::Internals::interest(const vtkStrataTetrahedra& filter) const
+{
+  strata::Interest interest;
+  if (!this->focusMaterials.empty())
+  {
+    interest.focus = conversion::chosenMaterials(this->focusMaterials, this->native->materials());
+  }
+  if (filter.RegionOfInterest != NONE)
+  {
+    interest.region = region(filter);
+  }
+  if (filter.ViewDependent)
+  {
+    interest.view = view(filter);
+  }
+  return interest;
+}
+
 strata::SelectOptions vtkStrataTetrahedra::Internals::selection(const vtkStrataTetrahedra& filter) const
 {
   checkBound("InterfaceErrorBound", filter.InterfaceErrorBound, true);
@@ -138,6 +205,7 @@ strata::SelectOptions vtkStrataTetrahedra::Internals::selection(const vtkStrataT
   {
     options.finestBounds = this->bounds(filter.FinestInterfaceErrorBound, filter.FinestFieldErrorBound);
   }
+  options.interest = this->interest(filter);
   options.errorMethod = static_cast<strata::ErrorMethod>(filter.ErrorMethod);
   if (filter.LimitCells)
   {

@@ -53,6 +53,7 @@ struct vtkStrataTetrahedra::Internals
   };
 
   std::vector<std::pair<std::string, double>> absoluteBounds;
+  std::vector<std::string> focusMaterials;
 
   std::string key;
   std::shared_ptr<const strata::NativeData> native;
@@ -65,5 +66,8 @@ struct vtkStrataTetrahedra::Internals
 private:
   strata::BuildOptions buildOptions(const vtkStrataTetrahedra& filter) const;
   std::string keyOf(const vtkStrataTetrahedra& filter, const Inputs& inputs) const;
+  strata::Interest interest(const vtkStrataTetrahedra& filter) const;
+  static strata::RegionOfInterest region(const vtkStrataTetrahedra& filter);
+  static strata::View view(const vtkStrataTetrahedra& filter);
   strata::ErrorBounds bounds(double interfaceError, double relativeFieldError) const;
 };

@@ -52,6 +52,21 @@ void vtkStrataTetrahedra::ClearAbsoluteFieldErrorBounds()
   this->Modified();
 }
 
+void vtkStrataTetrahedra::AddFocusMaterial(const char* name)
+{
+  if (name && *name)
+  {
+    this->State->focusMaterials.emplace_back(name);
+    this->Modified();
+  }
+}
+
+void vtkStrataTetrahedra::ClearFocusMaterials()
+{
+  this->State->focusMaterials.clear();
+  this->Modified();
+}
+
 double vtkStrataTetrahedra::GetAchievedFieldError(int field) const
 {
   return this->State->achieved.fieldErrors.at(static_cast<std::size_t>(field));
@@ -130,6 +145,8 @@ void vtkStrataTetrahedra::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GhostMethod: " << this->GhostMethod << "\n";
   os << indent << "ErrorMethod: " << this->ErrorMethod << "\n";
   os << indent << "PassArrays: " << this->PassArrays << "\n";
+  os << indent << "RegionOfInterest: " << this->RegionOfInterest << "\n";
+  os << indent << "ViewDependent: " << this->ViewDependent << "\n";
   os << indent << "NumberOfCells: " << this->NumberOfCells << "\n";
   os << indent << "StoppedBy: " << this->GetStoppedBy() << "\n";
 }

@@ -21,7 +21,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Fields, or arrays of fields, to represent; none: the active scalars' field, or `density`, or the first. */
+  /** Fields, or arrays of fields, to represent; none: the active scalars' field, or `density` (`rho`), or the first. */
   void AddFieldArray(const char* name);
   void ClearFieldArrays();
   ///@}
@@ -71,6 +71,55 @@ public:
   /** Cubes of the base mesh along each axis. */
   vtkSetVector3Macro(BaseCubes, int);
   vtkGetVector3Macro(BaseCubes, int);
+  ///@}
+
+  ///@{
+  /** Materials to refine for: cells with none of them are only as fine as conformity asks; none: all. */
+  void AddFocusMaterial(const char* name);
+  void ClearFocusMaterials();
+  ///@}
+
+  enum RegionOfInterestType
+  {
+    NONE = 0,
+    BOX = 1,
+    SPHERE = 2
+  };
+
+  ///@{
+  /** A part of space outside of which the bounds are RegionCoarsening (at least 1) times as large. */
+  vtkSetClampMacro(RegionOfInterest, int, NONE, SPHERE);
+  vtkGetMacro(RegionOfInterest, int);
+  vtkSetVector6Macro(RegionBounds, double);
+  vtkGetVector6Macro(RegionBounds, double);
+  vtkSetVector3Macro(RegionCenter, double);
+  vtkGetVector3Macro(RegionCenter, double);
+  vtkSetMacro(RegionRadius, double);
+  vtkGetMacro(RegionRadius, double);
+  vtkSetMacro(RegionCoarsening, double);
+  vtkGetMacro(RegionCoarsening, double);
+  ///@}
+
+  ///@{
+  /** Refine for the picture of a perspective camera: interface errors up to PixelErrorBound on the screen are allowed,
+   * and what is not seen sets no demands. The view angle is vertical, in degrees; the aspect is width / height. */
+  vtkSetMacro(ViewDependent, bool);
+  vtkGetMacro(ViewDependent, bool);
+  vtkBooleanMacro(ViewDependent, bool);
+  vtkSetVector3Macro(CameraPosition, double);
+  vtkGetVector3Macro(CameraPosition, double);
+  vtkSetVector3Macro(CameraFocalPoint, double);
+  vtkGetVector3Macro(CameraFocalPoint, double);
+  vtkSetVector3Macro(CameraViewUp, double);
+  vtkGetVector3Macro(CameraViewUp, double);
+  vtkSetMacro(CameraViewAngle, double);
+  vtkGetMacro(CameraViewAngle, double);
+  vtkSetMacro(ImageHeight, int);
+  vtkGetMacro(ImageHeight, int);
+  vtkSetMacro(ImageAspect, double);
+  vtkGetMacro(ImageAspect, double);
+  vtkSetMacro(PixelErrorBound, double);
+  vtkGetMacro(PixelErrorBound, double);
   ///@}
 
   enum NativeElementsType
@@ -167,6 +216,19 @@ protected:
   int GhostMethod = DATA_THEN_LINEAR;
   int ErrorMethod = DIRECT;
   int PassArrays = ALL;
+  int RegionOfInterest = NONE;
+  double RegionBounds[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
+  double RegionCenter[3] = { 0.0, 0.0, 0.0 };
+  double RegionRadius = 1.0;
+  double RegionCoarsening = 10.0;
+  bool ViewDependent = false;
+  double CameraPosition[3] = { 0.0, 0.0, 1.0 };
+  double CameraFocalPoint[3] = { 0.0, 0.0, 0.0 };
+  double CameraViewUp[3] = { 0.0, 1.0, 0.0 };
+  double CameraViewAngle = 30.0;
+  int ImageHeight = 1000;
+  double ImageAspect = 1.0;
+  double PixelErrorBound = 1.0;
   double AchievedInterfaceError = 0.0;
   vtkIdType NumberOfCells = 0;
   bool BoundMet = false;
