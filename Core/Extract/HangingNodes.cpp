@@ -1,5 +1,6 @@
 #include "Extract/HangingNodes.h"
 
+#include "Extract/FaceRemainder.h"
 #include "Extract/PointTree.h"
 
 #include <Eigen/Geometry>
@@ -20,8 +21,9 @@ struct Face
   Vector center;
   Vector area; ///< points out of the cell
   Box box;
-  std::vector<std::size_t> parts; ///< the faces that replace it
-  bool taken = false;             ///< replaces a part of another face
+  std::vector<std::size_t> parts;         ///< the faces that replace it
+  std::vector<std::array<Index, 3>> rest; ///< what the parts don't cover
+  bool taken = false;                     ///< replaces a part of another face
 
   double tolerance() const { return hangingTolerance * box.diagonal(); }
 };
@@ -130,7 +132,8 @@ private:
       {
         continue;
       }
-      if (!fills(face, parts))
+      const auto rest = triangulateRegion(topology_, boundaryOfRest(face, parts), face.area);
+      if (!rest || !fills(face, parts, *rest))
       {
         first = failures++ == 0 ? face.cell : first;
         continue;
@@ -140,12 +143,13 @@ private:
         faces_[part].taken = true;
       }
       face.parts = std::move(parts);
+      face.rest = *rest;
     }
     if (failures > 0)
     {
       warnings.push_back("A face of cell " + std::to_string(first) +
                          (failures > 1 ? " and " + std::to_string(failures - 1) + " others are" : " is") +
-                         " only partly covered by finer faces: surfaces end there");
+                         " crossed by faces of other cells: surfaces end there");
     }
   }
 
@@ -160,8 +164,8 @@ private:
     return parts.size() == 1 && sorted(faces_[parts[0]]) == sorted(face);
   }
 
-  /// Whether the parts bound the same loop as the face: all their edges cancel except those of the loop.
-  bool fills(const Face& face, const std::vector<std::size_t>& parts) const
+  /// The directed edges that bound what the parts don't cover of a face: where these cover it, there are none.
+  std::vector<std::pair<Index, Index>> boundaryOfRest(const Face& face, const std::vector<std::size_t>& parts) const
   {
     std::map<SplitEdges::Edge, int> balance;
     const auto add = [&](const Face& f) {
@@ -178,7 +182,30 @@ private:
     {
       add(faces_[part]);
     }
-    return std::all_of(balance.begin(), balance.end(), [](const auto& entry) { return entry.second == 0; });
+    std::vector<std::pair<Index, Index>> result;
+    for (const auto& [edge, count] : balance)
+    {
+      result.insert(result.end(), static_cast<std::size_t>(std::max(count, 0)), edge);
+      result.insert(result.end(), static_cast<std::size_t>(std::max(-count, 0)), { edge.second, edge.first });
+    }
+    return result;
+  }
+
+  /// Whether parts and rest together are as large as the face.
+  bool fills(
+    const Face& face, const std::vector<std::size_t>& parts, const std::vector<std::array<Index, 3>>& rest) const
+  {
+    double area = 0.0;
+    for (std::size_t part : parts)
+    {
+      area += faces_[part].area.norm();
+    }
+    for (const std::array<Index, 3>& t : rest)
+    {
+      const Vector origin = topology_.point(t[0]);
+      area += 0.5 * (topology_.point(t[1]) - origin).cross(topology_.point(t[2]) - origin).norm();
+    }
+    return std::abs(area - face.area.norm()) <= 100.0 * hangingTolerance * face.area.norm();
   }
 
   /// The cells that have a split edge or a covered face, ascending.
@@ -222,6 +249,10 @@ private:
           for (std::size_t part : covered->parts)
           {
             addFace(faces_[part].corners, result);
+          }
+          for (const std::array<Index, 3>& triangle : covered->rest)
+          {
+            addFace({ triangle.begin(), triangle.end() }, result);
           }
           continue;
         }
