@@ -136,11 +136,11 @@ def check_field(representation, samples, materials, bound):
 
 
 def check_interfaces(representation, surfaces, bound):
-    """`surfaces`: (positive, negative, vertices). Distances to the plane where both materials are as far."""
+    """`surfaces`: (positive, negative, vertices, ...). Distances to the plane where both materials are as far."""
     faults = []
     errors = numpy.zeros(len(representation.cells))
     gradients = representation.gradients()
-    for positive, negative, vertices in surfaces:
+    for positive, negative, vertices, _ in surfaces:
         cells, members, weights = locate(representation, vertices)
         if len(numpy.unique(members)) < len(vertices):
             faults.append(f"interface {positive}|{negative}: vertices lie in no cell")
@@ -174,6 +174,52 @@ def check_mesh(representation, lower, upper):
     # One place, one vertex: then arrays at the vertices hold one value for each vertex, field and material.
     if len(numpy.unique(representation.points, axis=0)) < len(representation.points):
         faults.append("mesh: two vertices in one place")
+    return faults
+
+
+def first_hits(points, triangles, direction):
+    """The triangle that a ray from each point along +z (direction 1) or -z (-1) meets first, -1 for none, and whether
+    the ray meets its front, against its normal. `triangles`: n x 3 x 3; rays must avoid edges."""
+    flat, lower, upper = triangles.copy(), points.min(axis=0), points.max(axis=0)
+    flat[:, :, 2] = lower[2]
+    pair, member = Bins(points * [1, 1, 0] + [0, 0, lower[2]], lower, upper, (64, 64, 1)).near(flat)
+    a, b, c = (triangles[pair, corner] for corner in range(3))
+    p = points[member]
+
+    def area(u, v):
+        return (u[:, 0] - p[:, 0]) * (v[:, 1] - p[:, 1]) - (u[:, 1] - p[:, 1]) * (v[:, 0] - p[:, 0])
+
+    weights = numpy.stack([area(b, c), area(c, a), area(a, b)], axis=1)
+    up = (weights > 0).all(axis=1)  # counter-clockwise seen from above: the normal points upwards
+    met = up | (weights < 0).all(axis=1)
+    weights, member, pair, up = weights[met], member[met], pair[met], up[met]
+    heights = (weights * triangles[pair][:, :, 2]).sum(axis=1) / weights.sum(axis=1)
+    ahead = direction * (heights - points[member, 2])
+    order = numpy.flatnonzero(ahead > 0)
+    order = order[numpy.lexsort((ahead[order], member[order]))]
+    seen, place = numpy.unique(member[order], return_index=True)
+    hit, front = numpy.full(len(points), -1), numpy.zeros(len(points), bool)
+    hit[seen] = pair[order[place]]
+    front[seen] = up[order[place]] != (direction > 0)
+    return hit, front
+
+
+def check_vertices(representation, triangles, positive, negative, margin):
+    """Every vertex lies in the material on its side of the original interface that a ray meets first. Vertices nearer
+    than a margin to another material are left out."""
+    distances = numpy.stack([representation.distances[m] for m in range(len(representation.materials))])
+    clear = numpy.sort(distances, axis=0)[1] > margin  # NaN sorts last
+    found = numpy.nanargmin(distances, axis=0)
+    # Off the lattice's planes, where rays would meet edges; inside of the box's walls, where the surfaces end.
+    center = 0.5 * (representation.points.min(axis=0) + representation.points.max(axis=0))
+    points = representation.points + 1e-6 * (center - representation.points) + [3e-7, 7e-7, 0.0]
+    faults = []
+    for direction in (1, -1):
+        hit, front = first_hits(points, triangles, direction)
+        expected = numpy.where(front, positive[hit], negative[hit])
+        wrong = clear & (hit >= 0) & (expected != found)
+        faults += [f"vertices: {representation.points[v]} lies in {representation.materials[expected[v]]}, "
+                   f"not in {representation.materials[found[v]]}" for v in numpy.flatnonzero(wrong)]
     return faults
 
 
