@@ -2,6 +2,7 @@
 
 #include "Geometry/Box.h"
 #include "Model/Materials.h"
+#include "Model/NativeCell.h"
 
 #include <string>
 #include <vector>
@@ -14,9 +15,6 @@ struct Field
   std::string name;
   int components = 1;
 };
-
-/// Position of a native sample in its data set.
-using SampleIndex = std::uint32_t;
 
 /// How a material's field continues past its interface (design 3.4).
 enum class GhostMethod : std::uint8_t
@@ -52,9 +50,16 @@ public:
   /// NaN where the field is not known at that sample (cell samples of a point field and vice versa).
   virtual void values(FieldId field, MaterialId m, const SampleIndex* samples, Index count, double* result) const = 0;
 
+  /// Number of native cells; 0 where fields are known at samples only.
+  virtual NativeCellIndex nativeCellCount() const { return 0; }
+  /// Boxes round `count` native cells.
+  virtual void nativeCellBoxes(const NativeCellIndex* /*cells*/, Index /*count*/, Box* /*result*/) const {}
+  virtual NativeCell nativeCell(NativeCellIndex /*cell*/) const { return {}; }
+
   /// All fields of m at a point, a function of the arguments alone: `componentCount()` numbers, the fields in
   /// order. `inside` tells whether the point lies in m's region; otherwise `closest` is the region's closest
-  /// point to it. NaN for a field that m lacks everywhere. A material's linear fields are reproduced exactly.
+  /// point to it. NaN for a field that m lacks everywhere. A material's linear fields are reproduced exactly,
+  /// and so is the field of a native cell that holds the point and whose corners all count for m.
   virtual void evaluate(MaterialId m, const Vector& point, bool inside, const Vector& closest, GhostMethod method,
     double* result) const = 0;
 

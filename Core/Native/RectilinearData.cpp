@@ -34,8 +34,57 @@ RectilinearData::RectilinearData(const Simulation& simulation, const NativeOptio
   {
     SampleLattice lattice = latticeOf(grid, group.association);
     SampleBlocks blocks(lattice, group.materials, progress);
-    layouts_.push_back({ std::move(lattice), std::move(blocks) });
+    const Index cells = std::max<Index>(lattice.count(0) - 1, 0) * std::max<Index>(lattice.count(1) - 1, 0) *
+                        std::max<Index>(lattice.count(2) - 1, 0);
+    const NativeCellIndex first = nativeCellCount();
+    layouts_.push_back({ std::move(lattice), std::move(blocks), first, static_cast<NativeCellIndex>(cells) });
   }
+}
+
+NativeCellIndex RectilinearData::nativeCellCount() const
+{
+  return layouts_.empty() ? 0 : layouts_.back().firstCell + layouts_.back().cellCount;
+}
+
+std::pair<std::size_t, RectilinearData::Position> RectilinearData::placeOf(NativeCellIndex cell) const
+{
+  const std::size_t group = layouts_.size() > 1 && cell >= layouts_[1].firstCell ? 1 : 0;
+  const SampleLattice& lattice = layouts_[group].lattice;
+  const Index i = static_cast<Index>(cell) - layouts_[group].firstCell;
+  const Index row = i / (lattice.count(0) - 1);
+  return { group, { i % (lattice.count(0) - 1), row % (lattice.count(1) - 1), row / (lattice.count(1) - 1) } };
+}
+
+void RectilinearData::nativeCellBoxes(const NativeCellIndex* cells, Index count, Box* result) const
+{
+  for (Index i = 0; i < count; ++i)
+  {
+    const auto [group, p] = placeOf(cells[i]);
+    const SampleLattice& lattice = layouts_[group].lattice;
+    result[i].lower = lattice.point(p);
+    result[i].upper = lattice.point({ p[0] + 1, p[1] + 1, p[2] + 1 });
+  }
+}
+
+NativeCell RectilinearData::nativeCell(NativeCellIndex cell) const
+{
+  const auto [group, lowest] = placeOf(cell);
+  const SampleLattice& lattice = layouts_[group].lattice;
+  const SampleMaterials& materials = groups()[group].materials;
+  NativeCell result;
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    Position p = lowest;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      p[axis] += static_cast<Index>((corner >> axis) & 1);
+    }
+    const Index sample = lattice.index(p);
+    result.samples[corner] = groups()[group].first + static_cast<SampleIndex>(sample);
+    result.corners[corner] = lattice.point(p);
+    result.materials = corner == 0 ? materials[sample] : result.materials & materials[sample];
+  }
+  return result;
 }
 
 void RectilinearData::positions(const SampleIndex* samples, Index count, Vector* result) const
@@ -98,19 +147,28 @@ void RectilinearData::interpolate(std::size_t group, MaterialId m, const Vector&
 {
   const SampleGroup& samples = groups()[group];
   const SampleLattice& lattice = layouts_[group].lattice;
-  const LatticeCorners corners(lattice, point, false);
-  const bool complete = std::all_of(corners.begin(), corners.end(), [&](const LatticeCorners::Corner& corner) {
-    return samples.materials[lattice.index(corner.position)].contains(m);
-  });
-  if (!complete)
+  // Beyond the lattice some weights are negative; a linear fit takes each sign's corners together, at their mean.
+  std::array<double, 2> missing = { 0.0, 0.0 };
+  std::array<Vector, 2> sum = { Vector::Zero(), Vector::Zero() };
+  for (const LatticeCorners::Corner& corner : LatticeCorners(lattice, point, false))
   {
-    addFitRound(group, m, { nearestPosition(lattice, point), point, point, interpolationWeight }, result);
-    return;
+    const Index sample = lattice.index(corner.position);
+    if (samples.materials[sample].contains(m))
+    {
+      addSample(samples, m, samples.first + static_cast<SampleIndex>(sample), corner.weight, result);
+      continue;
+    }
+    const std::size_t sign = corner.weight < 0.0 ? 1 : 0;
+    missing[sign] += corner.weight;
+    sum[sign] += corner.weight * lattice.point(corner.position);
   }
-  for (const LatticeCorners::Corner& corner : corners)
+  for (std::size_t sign = 0; sign < 2; ++sign)
   {
-    const auto sample = static_cast<SampleIndex>(lattice.index(corner.position));
-    addSample(samples, m, samples.first + sample, corner.weight, result);
+    if (missing[sign] != 0.0)
+    {
+      const FitPlace place = { nearestPosition(lattice, point), point, sum[sign] / missing[sign], interpolationWeight };
+      addFitRound(group, m, place, result, missing[sign]);
+    }
   }
 }
 
@@ -153,7 +211,8 @@ void RectilinearData::extrapolate(
   }
 }
 
-bool RectilinearData::addFitRound(std::size_t group, MaterialId m, const FitPlace& place, double* result) const
+bool RectilinearData::addFitRound(
+  std::size_t group, MaterialId m, const FitPlace& place, double* result, double factor) const
 {
   // In units of the cells, so that stretched ones weigh like cubes.
   const Vector spacing = spacingAt(layouts_[group].lattice, place.center);
@@ -169,7 +228,7 @@ bool RectilinearData::addFitRound(std::size_t group, MaterialId m, const FitPlac
     const LinearFit fit(samples);
     if (fit.rank() == 3 || radius == wideFitRadius)
     {
-      addFit(groups()[group], m, samples, fit, target, result);
+      addFit(groups()[group], m, samples, fit, target, factor, result);
       return true;
     }
   }

@@ -12,6 +12,9 @@ public:
   RectilinearData(const Simulation& simulation, const NativeOptions& options, Progress& progress);
 
   void positions(const SampleIndex* samples, Index count, Vector* result) const override;
+  NativeCellIndex nativeCellCount() const override;
+  void nativeCellBoxes(const NativeCellIndex* cells, Index count, Box* result) const override;
+  NativeCell nativeCell(NativeCellIndex cell) const override;
   void evaluate(MaterialId m, const Vector& point, bool inside, const Vector& closest, GhostMethod method,
     double* result) const override;
 
@@ -21,6 +24,8 @@ private:
   {
     SampleLattice lattice;
     SampleBlocks blocks;
+    NativeCellIndex firstCell = 0; ///< index of the first cell between the group's samples
+    NativeCellIndex cellCount = 0;
   };
   using Position = SampleLattice::Position;
 
@@ -33,16 +38,19 @@ private:
     double (*weight)(double squaredDistance) = nullptr; ///< of a sample, by its distance in native cells
   };
 
+  /// The group of a native cell and the position of its lowest corner.
+  std::pair<std::size_t, Position> placeOf(NativeCellIndex cell) const;
   bool sampleNear(std::size_t group, MaterialId m, const Vector& point) const;
-  /// Multilinear interpolation where all samples round the point count for m, else a fit to those that do.
+  /// Multilinear interpolation. Corners that don't count for m take their values from a linear fit to samples near
+  /// the point that do, so that the values continue those of complete cells.
   void interpolate(std::size_t group, MaterialId m, const Vector& point, double* result) const;
   /// The mean of m's samples round the point with the weights of multilinear interpolation, else the nearest
   /// sample of m.
   void average(std::size_t group, MaterialId m, const Vector& point, double* result) const;
   /// Linear extrapolation from m's samples near `closest`.
   void extrapolate(std::size_t group, MaterialId m, const Vector& point, const Vector& closest, double* result) const;
-  /// Adds the linear fit to m's samples in a block. False where there are none.
-  bool addFitRound(std::size_t group, MaterialId m, const FitPlace& place, double* result) const;
+  /// Adds `factor` times the linear fit to m's samples in a block. False where there are none.
+  bool addFitRound(std::size_t group, MaterialId m, const FitPlace& place, double* result, double factor = 1.0) const;
   void collect(std::size_t group, MaterialId m, const FitPlace& place, const Vector& spacing, Index radius,
     FitSamples& samples) const;
 

@@ -159,7 +159,7 @@ void SampledData::addSample(
 }
 
 void SampledData::addFit(const SampleGroup& group, MaterialId m, const FitSamples& samples, const LinearFit& fit,
-  const Vector& target, double* result) const
+  const Vector& target, double factor, double* result) const
 {
   std::array<double, FitSamples::capacity> coefficients;
   fit.coefficients(samples, target, coefficients.data());
@@ -184,7 +184,7 @@ void SampledData::addFit(const SampleGroup& group, MaterialId m, const FitSample
       {
         value = limited;
       }
-      result[firstComponent_[f] + c] += value;
+      result[firstComponent_[f] + c] += factor * value;
     }
   }
 }

@@ -40,10 +40,10 @@ protected:
   void setZero(const SampleGroup& group, MaterialId m, double* result) const;
   /// Adds `factor` times the values at one of the group's samples.
   void addSample(const SampleGroup& group, MaterialId m, SampleIndex sample, double factor, double* result) const;
-  /// Adds the value of the fit at the target. It stays within the range of the fitted samples
+  /// Adds `factor` times the value of the fit at the target. The value stays within the range of the fitted samples
   /// plus or minus one range of the material's field, unless the samples lie on the fit exactly.
   void addFit(const SampleGroup& group, MaterialId m, const FitSamples& samples, const LinearFit& fit,
-    const Vector& target, double* result) const;
+    const Vector& target, double factor, double* result) const;
 
 private:
   void addGroup(

@@ -165,7 +165,7 @@ void UnstructuredData::addFitRound(
     const LinearFit fit(near);
     if (fit.rank() == 3 || !neighbors.full() || size == Neighbors::capacity)
     {
-      addFit(samples, m, near, fit, (point - origin) / std::sqrt(unit), result);
+      addFit(samples, m, near, fit, (point - origin) / std::sqrt(unit), 1.0, result);
       return;
     }
   }

@@ -229,3 +229,59 @@ TEST(RectilinearData, IgnoresTheOtherMaterialsValues)
     }
   }
 }
+
+TEST(RectilinearData, ContinuesTheFieldOfCompleteCellsThroughTheirFaces)
+{
+  // Curved, so that a linear fit differs from the multilinear interpolation.
+  const Function field = [](MaterialId, const Vector& p) { return p.x() * p.x() + 2.0 * p.y() * p.z(); };
+  const auto data = read(twoMaterials(boxGrid(8, 8, 8), outsideBall, field));
+  int faces = 0;
+  for (NativeCellIndex cell = 0; cell < data->nativeCellCount(); ++cell)
+  {
+    const NativeCell element = data->nativeCell(cell);
+    if (!element.materials.contains(block))
+    {
+      continue;
+    }
+    // A point of each face and one just beyond it.
+    const Vector size = element.corners[7] - element.corners[0];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Vector on = element.corners[0] + 0.37 * size;
+      on[axis] = element.corners[7][axis];
+      Vector beyond = on;
+      beyond[axis] += 1e-9 * size[axis];
+      EXPECT_NEAR(valueAt(*data, block, on), valueAt(*data, block, beyond), 1e-7);
+      ++faces;
+    }
+  }
+  EXPECT_GT(faces, 300);
+}
+
+TEST(RectilinearData, HasACellBetweenEveryEightSamplesThatCountsWhereAllOfThemDo)
+{
+  for (const Association association : { Association::Cells, Association::Points })
+  {
+    const Function zero = [](MaterialId, const Vector&) { return 0.0; };
+    const auto data = read(twoMaterials(boxGrid(4, 3, 5, 1.1), leftHalf, zero, association));
+    const int less = association == Association::Cells ? 1 : 0;
+    ASSERT_EQ(static_cast<NativeCellIndex>((4 - less) * (3 - less) * (5 - less)), data->nativeCellCount());
+    for (NativeCellIndex cell = 0; cell < data->nativeCellCount(); ++cell)
+    {
+      const NativeCell element = data->nativeCell(cell);
+      Box box;
+      data->nativeCellBoxes(&cell, 1, &box);
+      MaterialSet common = materialsOf(*data, element.samples[0]);
+      for (std::size_t i = 0; i < 8; ++i)
+      {
+        EXPECT_EQ(positionOf(*data, element.samples[i]), element.corners[i]);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          EXPECT_EQ(((i >> axis) & 1) != 0 ? box.upper[axis] : box.lower[axis], element.corners[i][axis]);
+        }
+        common = common & materialsOf(*data, element.samples[i]);
+      }
+      EXPECT_EQ(common, element.materials);
+    }
+  }
+}
