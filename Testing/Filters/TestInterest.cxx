@@ -5,30 +5,10 @@
 #include <gtest/gtest.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <cmath>
-#include <vector>
-
 using namespace strata::test;
 
 namespace
 {
-/// Two halves whose densities are waves, so that each half asks for cells.
-vtkSmartPointer<vtkImageData> twoWaves(int n)
-{
-  vtkSmartPointer<vtkImageData> image = twoHalves(n);
-  for (const char* name : { "density_left", "density_right" })
-  {
-    vtkFloatArray* density = cellArray(image, name);
-    for (vtkIdType cell = 0; cell < density->GetNumberOfTuples(); ++cell)
-    {
-      double b[6];
-      image->GetCellBounds(cell, b);
-      density->SetValue(cell, static_cast<float>(2.0 + std::sin(6.0 * (b[0] + b[2])) * std::cos(6.0 * b[4])));
-    }
-  }
-  return image;
-}
-
 struct InterestInMaterials : testing::Test
 {
   InterestInMaterials()

@@ -34,14 +34,15 @@ struct AbortedRun
   {
     auto* run = static_cast<AbortedRun*>(data);
     auto* filter = static_cast<vtkAlgorithm*>(caller);
-    if (!filter->GetProgressText())
+    const std::string stage = filter->GetProgressText() ? filter->GetProgressText() : "";
+    if (stage.empty() && !run->started)
     {
       return; // VTK's own event before the filter is called
     }
     const Clock::time_point now = Clock::now();
     run->first = run->started ? run->first : now;
     run->started = true;
-    run->stages.insert(filter->GetProgressText());
+    run->stages.insert(stage);
     if (!run->aborted && std::chrono::duration<double>(now - run->first).count() >= run->abortAfter)
     {
       run->aborted = true;
@@ -123,7 +124,7 @@ vtkUnstructuredGrid* meshOf(vtkStrataTetrahedra* filter)
 
 TEST_P(Slider, SlidingGivesTheBytesOfStartingThereAndReadsNothingAgain)
 {
-  const vtkSmartPointer<vtkImageData> input = twoHalves(8);
+  const vtkSmartPointer<vtkImageData> input = twoWaves(8);
   vtkNew<vtkStrataTetrahedra> slid;
   slid->SetInputData(input);
   slid->SetErrorMethod(GetParam());
@@ -149,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(OfEveryErrorMethod, Slider,
 TEST_P(AbortedAfter, ALongRunEndsWithinHalfASecond)
 {
   vtkNew<vtkStrataTetrahedra> filter;
-  filter->SetInputData(twoHalves(96));
+  filter->SetInputData(twoWaves(64));
   filter->SetInterfaceErrorBound(1e-5);
   filter->SetFieldErrorBound(1e-6);
   AbortedRun run{ GetParam(), {}, {}, false, false, {} };

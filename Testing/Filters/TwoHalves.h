@@ -10,6 +10,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkTestErrorObserver.h>
 
+#include <cmath>
 #include <string>
 
 namespace strata::test
@@ -46,6 +47,23 @@ inline vtkSmartPointer<vtkImageData> twoHalves(int n)
 inline vtkFloatArray* cellArray(vtkDataSet* data, const char* name)
 {
   return vtkFloatArray::SafeDownCast(data->GetCellData()->GetArray(name));
+}
+
+/// Two halves whose densities are waves, so that each half asks for cells.
+inline vtkSmartPointer<vtkImageData> twoWaves(int n)
+{
+  vtkSmartPointer<vtkImageData> image = twoHalves(n);
+  for (const char* name : { "density_left", "density_right" })
+  {
+    vtkFloatArray* density = cellArray(image, name);
+    for (vtkIdType cell = 0; cell < density->GetNumberOfTuples(); ++cell)
+    {
+      double b[6];
+      image->GetCellBounds(cell, b);
+      density->SetValue(cell, static_cast<float>(2.0 + std::sin(6.0 * (b[0] + b[2])) * std::cos(6.0 * b[4])));
+    }
+  }
+  return image;
 }
 
 /// What a run of a filter said.
