@@ -4,6 +4,9 @@
 
 #include "Geometry/Box.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -13,6 +16,9 @@ namespace
 {
 /// Volumes below this part of the cell's box diagonal cubed are rounding errors.
 constexpr double degenerateVolume = 1e-14;
+/// Space in the box is none if it is below this part of the box and of the smallest cell: points may be floats.
+constexpr double emptyPartOfBox = 1e-5;
+constexpr double emptyPartOfCell = 0.1;
 
 double sizeOf(const UnstructuredGrid& grid, Index cell)
 {
@@ -39,14 +45,18 @@ void orientWedges(UnstructuredGrid& grid)
   }
 }
 
-void checkCells(const InputGrid& input)
+CheckedVolumes checkCells(const InputGrid& input)
 {
   const auto& grid = std::get<UnstructuredGrid>(input.grid);
+  CheckedVolumes result;
+  result.smallest = std::numeric_limits<double>::infinity();
   for (Index cell = 0; cell < grid.cellCount(); ++cell)
   {
     const double volume = cellVolume(grid, cell);
     const double size = sizeOf(grid, cell);
     const double smallest = degenerateVolume * size * size * size;
+    result.sum += volume;
+    result.smallest = std::min(result.smallest, volume);
     if (volume > smallest)
     {
       continue;
@@ -56,5 +66,17 @@ void checkCells(const InputGrid& input)
             << (volume < -smallest ? ": its corners are in inverted order" : ": it is degenerate");
     throw InvalidInput(message.str());
   }
+  return result;
+}
+
+bool fillsBox(const UnstructuredGrid& grid, const CheckedVolumes& volumes)
+{
+  Box box;
+  for (const Vector& point : grid.points)
+  {
+    box.add(point);
+  }
+  const double space = std::abs(box.volume() - volumes.sum);
+  return space <= std::min(emptyPartOfBox * box.volume(), emptyPartOfCell * volumes.smallest);
 }
 }

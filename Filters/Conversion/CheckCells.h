@@ -8,6 +8,16 @@ namespace strata::conversion
 /// turns its normal away from the other three.
 void orientWedges(UnstructuredGrid& grid);
 
+/// The volumes of the cells together, and of the smallest.
+struct CheckedVolumes
+{
+  double sum = 0.0;
+  double smallest = 0.0;
+};
+
 /// Throws InvalidInput that names the first cell that is inverted or has no volume.
-void checkCells(const InputGrid& input);
+CheckedVolumes checkCells(const InputGrid& input);
+
+/// True if the cells leave nothing of the box round them but rounding errors.
+bool fillsBox(const UnstructuredGrid& grid, const CheckedVolumes& volumes);
 }

@@ -6,6 +6,7 @@
 #include <vtkDataSetAttributes.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace strata::conversion
 {
@@ -16,6 +17,12 @@ vtkDataSetAttributes* attributes(const InputBlock& block, Association associatio
   return association == Association::Cells ? block.cellData : block.pointData;
 }
 
+std::string describeMissing(const InputBlock& block, Association association, const std::string& name)
+{
+  return "The " + std::string(association == Association::Cells ? "cell" : "point") + " array '" + name + "'" +
+         block.name + " is missing";
+}
+
 /// A block's array. Throws InvalidInput if it is missing or too short.
 vtkDataArray* arrayOf(const InputBlock& block, Association association, const std::string& name)
 {
@@ -23,8 +30,7 @@ vtkDataArray* arrayOf(const InputBlock& block, Association association, const st
   vtkDataArray* array = attributes(block, association)->GetArray(name.c_str());
   if (!array)
   {
-    throw InvalidInput(
-      "The " + std::string(cells ? "cell" : "point") + " array '" + name + "'" + block.name + " is missing");
+    throw InvalidInput(describeMissing(block, association, name));
   }
   const Index expected = cells ? block.cellCount : block.pointCount;
   if (array->GetNumberOfTuples() != expected)
@@ -59,16 +65,17 @@ void forEachSource(const InputGrid& input, Association association, const Functi
   }
 }
 
+/// The values of all blocks' arrays; NaN in blocks that have none.
 template<typename T>
-ValueArray gathered(const InputGrid& input, Association association, const std::vector<ValueArray>& parts)
+ValueArray gathered(
+  const InputGrid& input, Association association, const std::vector<ValueArray>& parts, int components)
 {
-  const int components = parts.front().components();
   std::vector<T> result(sources(input, association).size() * static_cast<std::size_t>(components));
   forEachSource(input, association, [&](std::size_t block, Index from, std::size_t to) {
     for (int c = 0; c < components; ++c)
     {
       result[to * static_cast<std::size_t>(components) + static_cast<std::size_t>(c)] =
-        static_cast<T>(parts[block](from, c));
+        parts[block] ? static_cast<T>(parts[block](from, c)) : std::numeric_limits<T>::quiet_NaN();
     }
   });
   return ownedValues(std::move(result), components);
@@ -102,16 +109,24 @@ const ArrayInfo* find(const std::vector<ArrayInfo>& arrays, const std::string& n
   return at == arrays.end() ? nullptr : &*at;
 }
 
-ValueArray values(const InputGrid& input, Association association, const std::string& name)
+ValueArray values(const InputGrid& input, Association association, const std::string& name, Warnings* gaps)
 {
+  const std::vector<ArrayInfo> infos = arraysOf(input, association);
+  const ArrayInfo* info = find(infos, name);
   std::vector<ValueArray> parts;
   bool floats = true;
   for (const InputBlock& block : input.blocks)
   {
+    if (gaps && info && !attributes(block, association)->HasArray(name.c_str()))
+    {
+      gaps->push_back(describeMissing(block, association, name) + ": the field is unknown there");
+      parts.emplace_back();
+      continue;
+    }
     vtkDataArray* array = arrayOf(block, association, name);
     floats = floats && array->GetDataType() == VTK_FLOAT;
     parts.push_back(valuesOf(array));
-    if (parts.back().components() != parts.front().components())
+    if (parts.back().components() != info->components)
     {
       throw InvalidInput("The array '" + name + "'" + block.name + " has another number of components than elsewhere");
     }
@@ -120,7 +135,8 @@ ValueArray values(const InputGrid& input, Association association, const std::st
   {
     return parts.front();
   }
-  return floats ? gathered<float>(input, association, parts) : gathered<double>(input, association, parts);
+  return floats ? gathered<float>(input, association, parts, info->components)
+                : gathered<double>(input, association, parts, info->components);
 }
 
 std::vector<std::int64_t> integers(const InputGrid& input, const std::string& cellArray)

@@ -24,9 +24,10 @@ std::vector<ArrayInfo> arraysOf(const InputGrid& input, Association association)
 /// The entry of that name, or null.
 const ArrayInfo* find(const std::vector<ArrayInfo>& arrays, const std::string& name);
 
-/// An array's values, one tuple per cell or point of the grid. Throws InvalidInput where a block lacks it or
-/// has it with another number of tuples or components.
-ValueArray values(const InputGrid& input, Association association, const std::string& name);
+/// An array's values, one tuple per cell or point of the grid. Throws InvalidInput where a block has it with
+/// another number of tuples or components, or lacks it; with `gaps`, its values in a block that lacks it are NaN
+/// and there is a warning that names the block.
+ValueArray values(const InputGrid& input, Association association, const std::string& name, Warnings* gaps = nullptr);
 
 /// The same for integers (one component).
 std::vector<std::int64_t> integers(const InputGrid& input, const std::string& cellArray);

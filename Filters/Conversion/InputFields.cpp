@@ -5,12 +5,14 @@
 #include "Conversion/ValueConversion.h"
 
 #include <algorithm>
+#include <array>
 
 namespace strata::conversion
 {
 namespace
 {
-constexpr const char* defaultField = "density";
+/// What is taken where nobody says which field, in this order.
+constexpr std::array<const char*, 3> defaultFields = { "density", "Density", "rho" };
 
 /// A field and its arrays: one per material, or "" where it has none of its own, and one for all.
 struct FieldPlan
@@ -24,6 +26,19 @@ struct FieldPlan
 bool contains(const std::vector<std::string>& list, const std::string& name)
 {
   return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+/// How the names of a material's own arrays end: `density_block`, `Mass for Armor Plate`, and CTH's `Mass (g) - 3` of
+/// `Material 3`.
+std::vector<std::string> suffixesOf(const std::string& material)
+{
+  std::vector<std::string> result = { "_" + material, " for " + material };
+  const std::string numbered = "Material ";
+  if (material.compare(0, numbered.size(), numbered) == 0)
+  {
+    result.push_back(" - " + material.substr(numbered.size()));
+  }
+  return result;
 }
 
 /// All fields that the arrays of cells or points make up, per-material ones taken together.
@@ -49,14 +64,9 @@ public:
   /// The field of that name, or that an array of that name belongs to; null if there is none.
   const FieldPlan* find(const std::string& name) const
   {
-    for (const FieldPlan& plan : plans_)
-    {
-      if (plan.name == name || contains(plan.perMaterial, name))
-      {
-        return &plan;
-      }
-    }
-    return nullptr;
+    const auto at = std::find_if(plans_.begin(), plans_.end(),
+      [&](const FieldPlan& plan) { return plan.name == name || contains(plan.perMaterial, name); });
+    return name.empty() || at == plans_.end() ? nullptr : &*at;
   }
 
   const FieldPlan* firstFloating() const { return floating_.empty() ? nullptr : find(floating_.front()); }
@@ -64,18 +74,27 @@ public:
 private:
   static bool isService(const std::string& name) { return name.compare(0, 3, "vtk") == 0; }
 
-  /// The material whose own array of a field this is, or the number of materials.
-  std::size_t materialOf(const std::string& array) const
+  /// A material and the end of the name by which an array is its own.
+  struct Owner
   {
-    std::size_t best = materials_.size();
+    std::size_t material;
+    std::string suffix;
+  };
+
+  /// The material whose own array of a field this is, by the longest end of the name; without suffix if it is none's.
+  Owner ownerOf(const std::string& array) const
+  {
+    Owner best{ materials_.size(), "" };
     for (std::size_t m = 0; m < materials_.size(); ++m)
     {
-      const std::string suffix = "_" + materials_[m].name;
-      const bool ends =
-        array.size() > suffix.size() && array.compare(array.size() - suffix.size(), suffix.size(), suffix) == 0;
-      if (ends && (best == materials_.size() || suffix.size() > materials_[best].name.size() + 1))
+      for (const std::string& suffix : suffixesOf(materials_[m].name))
       {
-        best = m;
+        const bool ends =
+          array.size() > suffix.size() && array.compare(array.size() - suffix.size(), suffix.size(), suffix) == 0;
+        if (ends && suffix.size() > best.suffix.size())
+        {
+          best = { m, suffix };
+        }
       }
     }
     return best;
@@ -96,11 +115,11 @@ private:
 
   void add(const ArrayInfo& array, Association association)
   {
-    const std::size_t material = materialOf(array.name);
-    if (material < materials_.size())
+    const Owner owner = ownerOf(array.name);
+    if (!owner.suffix.empty())
     {
-      const std::string field = array.name.substr(0, array.name.size() - materials_[material].name.size() - 1);
-      planOf(field, association).perMaterial[material] = array.name;
+      const std::string field = array.name.substr(0, array.name.size() - owner.suffix.size());
+      planOf(field, association).perMaterial[owner.material] = array.name;
     }
     else
     {
@@ -193,9 +212,12 @@ std::vector<FieldPlan> plansFor(const InputGrid& input, const CaseDescription& d
   {
     return { *active };
   }
-  if (has(defaultField))
+  for (const char* name : defaultFields)
   {
-    return selected(plans, { defaultField });
+    if (has(name))
+    {
+      return selected(plans, { name });
+    }
   }
   if (isCase)
   {
@@ -242,14 +264,14 @@ void settleMaterials(const CaseDescription& description, const SimulationOptions
   }
 }
 
-SimulationField fieldOf(const InputGrid& input, const FieldPlan& plan, const Materials& materials)
+SimulationField fieldOf(const InputGrid& input, const FieldPlan& plan, const Materials& materials, Warnings& warnings)
 {
   SimulationField field;
   field.name = plan.name;
   field.association = plan.association;
   const bool separate = std::any_of(
     plan.perMaterial.begin(), plan.perMaterial.end(), [](const std::string& array) { return !array.empty(); });
-  const ValueArray shared = separate ? ValueArray() : values(input, plan.association, plan.shared);
+  const ValueArray shared = separate ? ValueArray() : values(input, plan.association, plan.shared, &warnings);
   field.components = separate ? 0 : shared.components();
   for (std::size_t m = 0; m < materials.size(); ++m)
   {
@@ -264,7 +286,7 @@ SimulationField fieldOf(const InputGrid& input, const FieldPlan& plan, const Mat
     }
     else if (!plan.perMaterial[m].empty())
     {
-      field.values.back() = values(input, plan.association, plan.perMaterial[m]);
+      field.values.back() = values(input, plan.association, plan.perMaterial[m], &warnings);
       const int components = field.values.back().components();
       if (field.components != 0 && components != field.components)
       {
@@ -281,13 +303,13 @@ SimulationField fieldOf(const InputGrid& input, const FieldPlan& plan, const Mat
 }
 
 void readFields(const InputGrid& input, const CaseDescription& description, const SimulationOptions& options,
-  const MaterialRoles& roles, Simulation& simulation)
+  const MaterialRoles& roles, Simulation& simulation, Warnings& warnings)
 {
   const std::vector<FieldPlan> plans = plansFor(input, description, options, roles, simulation.materials);
   settleMaterials(description, options, plans, simulation.materials);
   for (std::size_t f = 0; f < plans.size() && options.readFields; ++f)
   {
-    simulation.fields.push_back(fieldOf(input, plans[f], simulation.materials));
+    simulation.fields.push_back(fieldOf(input, plans[f], simulation.materials, warnings));
   }
 }
 }

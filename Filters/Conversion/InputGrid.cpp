@@ -43,7 +43,8 @@ vtkSmartPointer<vtkCompositeDataSet> withCoveredCells(vtkCompositeDataSet* data)
     return data;
   }
   auto copy = vtkSmartPointer<vtkOverlappingAMR>::New();
-  copy->ShallowCopy(amr);
+  // Not ShallowCopy: setting a data set after it adds a second one.
+  copy->CopyStructure(amr);
   bool marked = true;
   for (unsigned int level = 0; level < amr->GetNumberOfLevels(); ++level)
   {
@@ -152,7 +153,11 @@ InputGrid readGrid(vtkDataObject* data)
   UnstructuredBuilder builder;
   for (const NamedData& leaf : leaves)
   {
-    addBlock(builder, leaf);
+    // Readers leave empty data sets, without arrays, for the parts that hold nothing.
+    if (leaf.data->GetNumberOfElements(vtkDataObject::CELL) > 0)
+    {
+      addBlock(builder, leaf);
+    }
   }
   return builder.finish();
 }

@@ -14,6 +14,10 @@ namespace strata::conversion
 {
 namespace
 {
+/// Ids up to here are all materials, present or not, up to the highest: so that a material's place stays the same over
+/// time where another one vanishes.
+constexpr std::int64_t largestListedId = 16;
+
 struct FractionArray
 {
   std::string material;
@@ -217,6 +221,11 @@ void readIds(const InputGrid& input, const std::string& name, Simulation& simula
     {
       break;
     }
+  }
+  const std::int64_t highest = places.empty() ? 0 : places.rbegin()->first;
+  for (std::int64_t id = 1; id < highest && highest <= largestListedId; ++id)
+  {
+    places.emplace(id, 0);
   }
   for (auto& [id, place] : places)
   {

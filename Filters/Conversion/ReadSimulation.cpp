@@ -20,7 +20,7 @@ ReadSimulationResult readSimulation(const CaseData& input, const SimulationOptio
   result.warnings = result.source.warnings;
   const MaterialRoles roles =
     readMaterials(result.source, input.description, options, result.simulation, result.warnings);
-  readFields(result.source, input.description, options, roles, result.simulation);
+  readFields(result.source, input.description, options, roles, result.simulation, result.warnings);
   result.simulation.grid = std::move(result.source.grid);
   return result;
 }

@@ -208,7 +208,6 @@ void UnstructuredBuilder::warn(InputGrid& result) const
 InputGrid UnstructuredBuilder::finish()
 {
   InputGrid result;
-  result.hasOutside = true;
   result.blocks = std::move(blocks_);
   result.cellSource = std::move(cellSource_);
   warn(result);
@@ -221,7 +220,8 @@ InputGrid UnstructuredBuilder::finish()
   compactPoints(result);
   orientWedges(grid_);
   result.grid = std::move(grid_);
-  checkCells(result);
+  const CheckedVolumes volumes = checkCells(result);
+  result.hasOutside = !fillsBox(std::get<UnstructuredGrid>(result.grid), volumes);
   return result;
 }
 }
