@@ -26,7 +26,8 @@ def refine_for_view(tetrahedra, view=None, pixels=1.0):
 def main():
     load_plugin()
     tetrahedra = simple.MultiresolutionTetrahedra(
-        Input=read_impact(), FieldArrays=["density"], InterfaceErrorBound=0.05, AbsoluteFieldErrorBounds=["density", "0.5"])
+        Input=read_impact(), FieldArrays=["density"], InterfaceErrorBound=0.05,
+        AbsoluteFieldErrorBounds=["density", "0.5"])
     print(f"the whole: {data(tetrahedra).GetNumberOfCells()} cells")
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = [800, 600]
