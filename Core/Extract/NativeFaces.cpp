@@ -96,6 +96,10 @@ bool hasNativeFace(const UnstructuredGrid& grid, Index cell, const Index* corner
   {
     shared |= isListed(corners, count, grid.corners[i]) ? 1u << (i - first) : 0u;
   }
+  if (static_cast<std::size_t>(__builtin_popcount(shared)) != count)
+  {
+    return false;
+  }
   const FaceTable table = tableOf(grid.shapes[cell]);
   for (int f = 0; f < table.count; ++f)
   {

@@ -79,6 +79,55 @@ bool inSide(const GridTopology& topology, const CellFaces& faces, std::int32_t f
   }
   return false;
 }
+
+/// The unmatched faces of some cells.
+class Search
+{
+public:
+  Search(const GridTopology& topology, const std::vector<std::atomic<std::uint64_t>>& sums, const Box& box) :
+    topology_(topology), sums_(sums), box_(box)
+  {}
+
+  void add(Index cell, std::vector<UnmatchedFace>& result)
+  {
+    topology_.corners(cell, corners_);
+    if (std::none_of(corners_.begin(), corners_.end(), [this](Index corner) { return isOpen(corner); }))
+    {
+      return;
+    }
+    topology_.faceCorners(cell, faces_);
+    bool any = false;
+    for (std::int32_t f = 0; f < faces_.count(); ++f)
+    {
+      any = any || mayBeUnmatched(f);
+    }
+    if (!any)
+    {
+      return;
+    }
+    topology_.faces(cell, faces_);
+    for (std::int32_t f = 0; f < faces_.count(); ++f)
+    {
+      if (faces_.neighbours[f] < 0 && mayBeUnmatched(f))
+      {
+        result.push_back({ cell, f });
+      }
+    }
+  }
+
+private:
+  bool isOpen(Index corner) const { return sums_[corner].load(std::memory_order_relaxed) != 0; }
+  bool mayBeUnmatched(std::int32_t f) const
+  {
+    return isOpen(lowestCorner(faces_, f)) && !inSide(topology_, faces_, f, box_);
+  }
+
+  const GridTopology& topology_;
+  const std::vector<std::atomic<std::uint64_t>>& sums_;
+  const Box& box_;
+  CellFaces faces_;
+  std::vector<Index> corners_;
+};
 }
 
 std::vector<UnmatchedFace> findUnmatchedFaces(const GridTopology& topology, Progress& progress)
@@ -90,33 +139,12 @@ std::vector<UnmatchedFace> findUnmatchedFaces(const GridTopology& topology, Prog
   std::vector<std::vector<UnmatchedFace>> blocks(static_cast<std::size_t>(blockCount));
   tbb::parallel_for(Index{ 0 }, blockCount, [&](Index b) {
     progress.check();
-    CellFaces faces;
+    Search search(topology, sums, box);
     for (Index cell = b * blockSize; cell < std::min((b + 1) * blockSize, topology.cellCount()); ++cell)
     {
-      if (topology.hidden(cell))
+      if (!topology.hidden(cell))
       {
-        continue;
-      }
-      topology.faceCorners(cell, faces);
-      const auto mayBeUnmatched = [&](std::int32_t f) {
-        return sums[lowestCorner(faces, f)].load(std::memory_order_relaxed) != 0 && !inSide(topology, faces, f, box);
-      };
-      bool any = false;
-      for (std::int32_t f = 0; f < faces.count(); ++f)
-      {
-        any = any || mayBeUnmatched(f);
-      }
-      if (!any)
-      {
-        continue;
-      }
-      topology.faces(cell, faces);
-      for (std::int32_t f = 0; f < faces.count(); ++f)
-      {
-        if (faces.neighbours[f] < 0 && mayBeUnmatched(f))
-        {
-          blocks[b].push_back({ cell, f });
-        }
+        search.add(cell, blocks[b]);
       }
     }
   });
