@@ -1,37 +1,12 @@
 #include "Build/CellElements.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace strata
 {
 namespace
 {
-/// A triangle clipped by four half-spaces has at most seven corners; rounding may add a few.
-using Polygon = std::array<Vector, 16>;
-
-std::size_t clip(Polygon& polygon, std::size_t count, const LinearFunction& weight)
-{
-  Polygon kept;
-  std::size_t size = 0;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const Vector& a = polygon[i];
-    const Vector& b = polygon[(i + 1) % count];
-    const double wa = weight(a) + faceTolerance;
-    const double wb = weight(b) + faceTolerance;
-    if (wa >= 0.0)
-    {
-      kept[size++] = a;
-    }
-    if ((wa >= 0.0) != (wb >= 0.0))
-    {
-      kept[size++] = a + (b - a) * (wa / (wa - wb));
-    }
-  }
-  polygon = kept;
-  return size;
-}
-
 /// Positions are asked for in blocks of this many samples.
 constexpr Index blockSize = 256;
 
@@ -48,6 +23,24 @@ void keepSamples(
       if (cell.contains(positions[static_cast<std::size_t>(i)], faceTolerance))
       {
         kept.push_back(all.samples()[begin + i]);
+      }
+    }
+  }
+}
+
+void keepNativeCells(
+  const Barycentric& cell, const CellElements& all, const NativeData& native, std::vector<std::uint32_t>& kept)
+{
+  std::array<Box, blockSize> boxes;
+  for (Index begin = 0; begin < all.nativeCellCount(); begin += blockSize)
+  {
+    const Index count = std::min<Index>(blockSize, all.nativeCellCount() - begin);
+    native.nativeCellBoxes(all.nativeCells() + begin, count, boxes.data());
+    for (Index i = 0; i < count; ++i)
+    {
+      if (mayMeet(cell, boxes[static_cast<std::size_t>(i)]))
+      {
+        kept.push_back(all.nativeCells()[begin + i]);
       }
     }
   }
@@ -103,33 +96,20 @@ MaterialSet InterfaceElements::materialsOfVertex(std::uint32_t vertex) const
 
 bool meets(const Barycentric& cell, const std::array<Vector, 3>& triangle)
 {
-  // Most triangles have a corner inside, or lie beyond one face.
-  std::array<bool, 3> inside = { true, true, true };
+  // Most triangles have a corner inside, which takes no clipping to see.
+  return std::any_of(triangle.begin(), triangle.end(), [&](const Vector& p) {
+    return cell.contains(p, faceTolerance);
+  }) || !ClippedTriangle(cell, triangle).empty();
+}
+
+bool mayMeet(const Barycentric& cell, const Box& box)
+{
+  const Vector center = box.center();
+  const Vector half = 0.5 * box.size();
   for (const LinearFunction& weight : cell.weights)
   {
-    bool beyond = true;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const bool within = weight(triangle[i]) >= -faceTolerance;
-      inside[i] = inside[i] && within;
-      beyond = beyond && !within;
-    }
-    if (beyond)
-    {
-      return false;
-    }
-  }
-  if (inside[0] || inside[1] || inside[2])
-  {
-    return true;
-  }
-  Polygon polygon;
-  std::copy(triangle.begin(), triangle.end(), polygon.begin());
-  std::size_t count = 3;
-  for (const LinearFunction& weight : cell.weights)
-  {
-    count = clip(polygon, count, weight);
-    if (count == 0)
+    // The largest value of the weight in the box.
+    if (weight(center) + weight.gradient.cwiseAbs().dot(half) < -faceTolerance)
     {
       return false;
     }
@@ -137,14 +117,63 @@ bool meets(const Barycentric& cell, const std::array<Vector, 3>& triangle)
   return true;
 }
 
+CellElements allElements(
+  const NativeData& native, const InterfaceElements& interfaces, bool withNativeCells, Progress& progress)
+{
+  std::vector<std::uint32_t> ids;
+  constexpr Index largeBlock = 65536;
+  std::vector<SampleIndex> block(static_cast<std::size_t>(largeBlock));
+  std::vector<MaterialSet> sets(static_cast<std::size_t>(largeBlock));
+  for (Index begin = 0; begin < static_cast<Index>(native.sampleCount()); begin += largeBlock)
+  {
+    const Index count = std::min<Index>(largeBlock, native.sampleCount() - begin);
+    std::iota(block.begin(), block.end(), static_cast<SampleIndex>(begin));
+    native.materialsAt(block.data(), count, sets.data());
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+    {
+      if (!sets[i].empty())
+      {
+        ids.push_back(block[i]);
+      }
+    }
+    progress.check();
+  }
+  CellElements all;
+  all.sampleEnd = static_cast<std::uint32_t>(ids.size());
+  const auto append = [&](std::size_t count) {
+    ids.resize(ids.size() + count);
+    std::iota(ids.end() - static_cast<std::ptrdiff_t>(count), ids.end(), 0u);
+    return static_cast<std::uint32_t>(ids.size());
+  };
+  all.vertexEnd = append(interfaces.points.size());
+  all.triangleEnd = append(interfaces.triangles.size());
+  const NativeCellIndex cells = withNativeCells ? native.nativeCellCount() : 0;
+  for (NativeCellIndex cell = 0; cell < cells; ++cell)
+  {
+    if (cell % largeBlock == 0)
+    {
+      progress.check();
+    }
+    if (!native.nativeCell(cell).materials.empty())
+    {
+      ids.push_back(cell);
+    }
+  }
+  all.nativeCellEnd = static_cast<std::uint32_t>(ids.size());
+  all.ids.reset(new std::uint32_t[ids.size()]);
+  std::copy(ids.begin(), ids.end(), all.ids.get());
+  return all;
+}
+
 CellElements united(const std::vector<const CellElements*>& parts)
 {
-  std::array<std::vector<std::uint32_t>, 3> kinds;
+  std::array<std::vector<std::uint32_t>, 4> kinds;
   for (const CellElements* part : parts)
   {
     kinds[0].insert(kinds[0].end(), part->samples(), part->samples() + part->sampleCount());
     kinds[1].insert(kinds[1].end(), part->vertices(), part->vertices() + part->vertexCount());
     kinds[2].insert(kinds[2].end(), part->triangles(), part->triangles() + part->triangleCount());
+    kinds[3].insert(kinds[3].end(), part->nativeCells(), part->nativeCells() + part->nativeCellCount());
   }
   for (std::vector<std::uint32_t>& ids : kinds)
   {
@@ -155,7 +184,8 @@ CellElements united(const std::vector<const CellElements*>& parts)
   result.sampleEnd = static_cast<std::uint32_t>(kinds[0].size());
   result.vertexEnd = result.sampleEnd + static_cast<std::uint32_t>(kinds[1].size());
   result.triangleEnd = result.vertexEnd + static_cast<std::uint32_t>(kinds[2].size());
-  result.ids.reset(new std::uint32_t[result.triangleEnd]);
+  result.nativeCellEnd = result.triangleEnd + static_cast<std::uint32_t>(kinds[3].size());
+  result.ids.reset(new std::uint32_t[result.nativeCellEnd]);
   std::uint32_t* next = result.ids.get();
   for (const std::vector<std::uint32_t>& ids : kinds)
   {
@@ -188,6 +218,8 @@ CellElements elementsWithin(
     }
   }
   result.triangleEnd = static_cast<std::uint32_t>(kept.size());
+  keepNativeCells(cell, all, native, kept);
+  result.nativeCellEnd = static_cast<std::uint32_t>(kept.size());
   result.ids.reset(kept.empty() ? nullptr : new std::uint32_t[kept.size()]);
   std::copy(kept.begin(), kept.end(), result.ids.get());
   return result;

@@ -1,29 +1,13 @@
 #include "Build/CellErrors.h"
 
+#include "Build/CellFunctions.h"
+
 #include <cmath>
 
 namespace strata
 {
 namespace
 {
-using CornerValues = std::array<const float*, 4>;
-
-CornerValues cornerValues(const Hierarchy& hierarchy, const HierarchyCell& cell, MaterialId m)
-{
-  CornerValues result;
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    result[i] = hierarchy.valuesOf(cell.corners[i], m);
-  }
-  return result;
-}
-
-LinearFunction component(const Barycentric& barycentric, const CornerValues& corners, int position)
-{
-  return barycentric.interpolant<float>(
-    { corners[0][position], corners[1][position], corners[2][position], corners[3][position] });
-}
-
 /// Samples of one material in a cell, ready for comparison.
 struct SamplesOfMaterial
 {
@@ -54,7 +38,7 @@ double largestDifference(const std::vector<LinearFunction>& represented, const s
 void addFieldErrors(const Hierarchy& hierarchy, const HierarchyCell& cell, const Barycentric& barycentric,
   const NativeData& native, MaterialId m, const SamplesOfMaterial& samples, CellErrors& errors)
 {
-  const CornerValues corners = cornerValues(hierarchy, cell, m);
+  const MaterialCorners corners = materialCorners(hierarchy, cell, m);
   int position = 1;
   for (std::size_t f = 0; f < hierarchy.fields.size(); ++f)
   {
@@ -62,7 +46,7 @@ void addFieldErrors(const Hierarchy& hierarchy, const HierarchyCell& cell, const
     std::vector<LinearFunction> represented;
     for (int c = 0; c < components; ++c)
     {
-      represented.push_back(component(barycentric, corners, position + c));
+      represented.push_back(representedFunction(barycentric, corners, position + c));
     }
     position += components;
     std::vector<double> values(samples.ids.size() * static_cast<std::size_t>(components));
@@ -99,12 +83,6 @@ void addSampleBlock(const Hierarchy& hierarchy, const HierarchyCell& cell, const
   }
 }
 
-double distanceToPlane(const LinearFunction& signedDistance, const Vector& p)
-{
-  const double value = std::abs(signedDistance(p));
-  return value > 0.0 ? value / signedDistance.gradient.norm() : 0.0;
-}
-
 double interfaceError(const Hierarchy& hierarchy, const HierarchyCell& cell, const Barycentric& barycentric,
   const CellElements& elements, const InterfaceElements& interfaces)
 {
@@ -119,8 +97,10 @@ double interfaceError(const Hierarchy& hierarchy, const HierarchyCell& cell, con
       if (!planes[pair].first)
       {
         const InterfaceElements::Pair& materials = interfaces.pairs[pair];
-        const LinearFunction a = component(barycentric, cornerValues(hierarchy, cell, materials.positive), 0);
-        const LinearFunction b = component(barycentric, cornerValues(hierarchy, cell, materials.negative), 0);
+        const LinearFunction a =
+          representedFunction(barycentric, materialCorners(hierarchy, cell, materials.positive), 0);
+        const LinearFunction b =
+          representedFunction(barycentric, materialCorners(hierarchy, cell, materials.negative), 0);
         planes[pair] = { true, { b.constant - a.constant, b.gradient - a.gradient } };
       }
       largest = std::max(largest, distanceToPlane(planes[pair].second, interfaces.points[vertex]));

@@ -1,6 +1,9 @@
 #include "Build/HierarchyBuilder.h"
 
+#include "Build/CellFunctions.h"
 #include "Build/CellRowsOf.h"
+#include "Build/CertifiedFields.h"
+#include "Build/CertifiedInterfaces.h"
 #include "Model/Errors.h"
 
 #include <tbb/parallel_for.h>
@@ -69,7 +72,7 @@ void parallelFor(std::size_t begin, std::size_t end, Progress& progress, const B
 HierarchyBuilder::HierarchyBuilder(std::shared_ptr<const NativeData> native, const Interfaces& interfaces,
   const BuildOptions& options, Progress& progress) :
   native_(std::move(native)),
-  interfaces_(interfaces), vertexValues_(*native_, interfaces, options)
+  interfaces_(interfaces), nativeElements_(options.nativeElements), vertexValues_(*native_, interfaces, options)
 {
   hierarchy_.lattice = latticeFor(*native_, options);
   hierarchy_.materials = native_->materials();
@@ -116,34 +119,7 @@ void HierarchyBuilder::fillBaseMesh(Progress& progress)
 {
   growCellArrays();
   evaluateVertices(0, progress);
-  std::vector<std::uint32_t> ids;
-  CellElements all;
-  constexpr SampleIndex blockSize = 65536;
-  std::vector<SampleIndex> block(blockSize);
-  std::vector<MaterialSet> sets(blockSize);
-  for (Index begin = 0; begin < static_cast<Index>(native_->sampleCount()); begin += blockSize)
-  {
-    const Index count = std::min<Index>(blockSize, native_->sampleCount() - begin);
-    std::iota(block.begin(), block.end(), static_cast<SampleIndex>(begin));
-    native_->materialsAt(block.data(), count, sets.data());
-    for (Index i = 0; i < count; ++i)
-    {
-      if (!sets[static_cast<std::size_t>(i)].empty())
-      {
-        ids.push_back(block[static_cast<std::size_t>(i)]);
-      }
-    }
-    progress.check();
-  }
-  all.sampleEnd = static_cast<std::uint32_t>(ids.size());
-  ids.resize(ids.size() + interfaces_.points.size());
-  all.vertexEnd = static_cast<std::uint32_t>(ids.size());
-  std::iota(ids.begin() + all.sampleEnd, ids.end(), 0u);
-  ids.resize(ids.size() + interfaces_.triangles.size());
-  all.triangleEnd = static_cast<std::uint32_t>(ids.size());
-  std::iota(ids.begin() + all.vertexEnd, ids.end(), 0u);
-  all.ids.reset(new std::uint32_t[ids.size()]);
-  std::copy(ids.begin(), ids.end(), all.ids.get());
+  const CellElements all = allElements(*native_, interfaces_, nativeElements_ == NativeElements::Cells, progress);
   const MaterialSet materials = allMaterials(hierarchy_.materials.size());
   parallelFor(0, hierarchy_.cells.size(), progress,
     [&](std::size_t c) { finishCell(CellId(static_cast<Index>(c)), all, materials); });
@@ -228,13 +204,6 @@ void HierarchyBuilder::evaluateVertices(std::size_t first, Progress& progress)
   });
 }
 
-std::array<Vector, 4> HierarchyBuilder::cornerPositions(CellId cell) const
-{
-  const std::array<VertexId, 4>& corners = hierarchy_.cell(cell).corners;
-  return { hierarchy_.position(corners[0]), hierarchy_.position(corners[1]), hierarchy_.position(corners[2]),
-    hierarchy_.position(corners[3]) };
-}
-
 MaterialSet HierarchyBuilder::materialsHeld(CellId cell, const CellElements& elements, MaterialSet allowed) const
 {
   MaterialSet result;
@@ -284,10 +253,10 @@ MaterialSet HierarchyBuilder::materialsHeld(CellId cell, const CellElements& ele
 void HierarchyBuilder::finishCell(CellId id, const CellElements& candidates, MaterialSet allowed)
 {
   const auto c = static_cast<std::size_t>(id.value);
-  const Barycentric barycentric(cornerPositions(id));
+  const Barycentric barycentric(cornerPositions(hierarchy_, id));
   elements_[c] = elementsWithin(barycentric, candidates, *native_, interfaces_);
   hierarchy_.cellMaterials[c] = materialsHeld(id, elements_[c], allowed);
-  const CellErrors errors = cellErrors(hierarchy_, id, barycentric, elements_[c], *native_, interfaces_);
+  const CellErrors errors = errorsOf(hierarchy_, id, barycentric, elements_[c]);
   hierarchy_.interfaceErrors[c] = errors.interfaceError;
   std::copy(errors.fieldErrors.begin(), errors.fieldErrors.end(),
     hierarchy_.fieldErrors.begin() + static_cast<std::ptrdiff_t>(c * hierarchy_.fields.size()));
@@ -325,12 +294,25 @@ std::vector<float> HierarchyBuilder::valuesAt(VertexId vertex, MaterialId m) con
 
 CellRows HierarchyBuilder::rows(CellId cell) const
 {
-  return cellRows(hierarchy_, cell, Barycentric(cornerPositions(cell)), gatherElements(cell), *native_, interfaces_);
+  return cellRows(
+    hierarchy_, cell, Barycentric(cornerPositions(hierarchy_, cell)), gatherElements(cell), *native_, interfaces_);
 }
 
 CellErrors HierarchyBuilder::errors(const Hierarchy& values, CellId cell) const
 {
-  return cellErrors(values, cell, Barycentric(cornerPositions(cell)), gatherElements(cell), *native_, interfaces_);
+  return errorsOf(values, cell, Barycentric(cornerPositions(hierarchy_, cell)), gatherElements(cell));
+}
+
+CellErrors HierarchyBuilder::errorsOf(
+  const Hierarchy& values, CellId cell, const Barycentric& barycentric, const CellElements& elements) const
+{
+  CellErrors errors = cellErrors(values, cell, barycentric, elements, *native_, interfaces_);
+  if (nativeElements_ == NativeElements::Cells)
+  {
+    addNativeCellErrors(values, cell, barycentric, elements, *native_, errors);
+    errors.interfaceError = roundedUp(certifiedInterfaceError(values, cell, barycentric, elements, interfaces_));
+  }
+  return errors;
 }
 
 void HierarchyBuilder::split(const std::vector<DiamondId>& diamonds, Progress& progress)

@@ -35,6 +35,8 @@ public:
 
 private:
   CellElements gatherElements(CellId cell) const;
+  CellErrors errorsOf(
+    const Hierarchy& values, CellId cell, const Barycentric& barycentric, const CellElements& elements) const;
   void makeBaseMesh();
   void fillBaseMesh(Progress& progress);
   CellId addCell(const std::array<VertexId, 4>& corners, std::uint8_t tag, std::uint8_t level);
@@ -45,11 +47,11 @@ private:
   void evaluateVertices(std::size_t first, Progress& progress);
   void finishCell(CellId cell, const CellElements& candidates, MaterialSet allowed);
   MaterialSet materialsHeld(CellId cell, const CellElements& elements, MaterialSet allowed) const;
-  std::array<Vector, 4> cornerPositions(CellId cell) const;
   void growCellArrays();
 
   std::shared_ptr<const NativeData> native_;
   InterfaceElements interfaces_;
+  NativeElements nativeElements_;
   VertexValues vertexValues_;
   Hierarchy hierarchy_;
   std::vector<CellElements> elements_; ///< one per cell; empty once the cell is split
