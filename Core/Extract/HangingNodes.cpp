@@ -36,6 +36,7 @@ public:
   {
     for (const UnmatchedFace& face : unmatched)
     {
+      progress.check();
       faces_.push_back(describe(face));
     }
   }
@@ -50,7 +51,7 @@ private:
   Face describe(const UnmatchedFace& unmatched) const
   {
     CellFaces faces;
-    topology_.faces(unmatched.cell, faces);
+    topology_.faceCorners(unmatched.cell, faces);
     Face face;
     face.cell = unmatched.cell;
     face.number = unmatched.face;
@@ -216,6 +217,7 @@ private:
     std::vector<Index> b;
     for (const SplitEdges::Edge& edge : split_.edges())
     {
+      progress_.check();
       topology_.cellsAround(edge.first, a);
       topology_.cellsAround(edge.second, b);
       std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
@@ -239,7 +241,7 @@ private:
     for (Index cell : affectedCells())
     {
       progress_.check();
-      topology_.faces(cell, faces);
+      topology_.faceCorners(cell, faces);
       topology_.centerCorners(cell, centerCorners);
       CellFaces result;
       for (std::int32_t f = 0; f < faces.count(); ++f)

@@ -53,7 +53,8 @@ SplitEdges::SplitEdges(const GridTopology& topology, const std::vector<Unmatched
   CellFaces cellFaces;
   for (const UnmatchedFace& face : faces)
   {
-    topology.faces(face.cell, cellFaces);
+    progress.check();
+    topology.faceCorners(face.cell, cellFaces);
     const std::int32_t first = cellFaces.start[face.face];
     const std::int32_t last = cellFaces.start[face.face + 1];
     for (std::int32_t i = first; i < last; ++i)
@@ -64,7 +65,6 @@ SplitEdges::SplitEdges(const GridTopology& topology, const std::vector<Unmatched
       edges_.emplace_back(std::min(a, b), std::max(a, b));
     }
   }
-  progress.check();
   sortUnique(ids);
   sortUnique(edges_);
   std::vector<Vector> positions;
