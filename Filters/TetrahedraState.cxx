@@ -87,8 +87,10 @@ bool vtkStrataTetrahedra::Internals::prepare(
   const conversion::CaseData input = conversion::splitCase(inputs.simulation);
   conversion::ReadSimulationResult read = conversion::readSimulation(input, filter.ArrayLists->options(filter));
   this->warnings = std::move(read.warnings);
+  progress.stage("Finding the interfaces", 0.0, 0.0);
   strata::Interfaces interfaces = originalInterfaces(
     input, inputs.interfaces, read.simulation, filter.MinimumVolumeFraction, this->warnings, progress);
+  progress.stage("Reading the fields", 0.0, 0.0);
   strata::NativeOptions nativeOptions;
   nativeOptions.minimumVolumeFraction = filter.MinimumVolumeFraction;
   this->native = strata::readNativeData(read.simulation, nativeOptions, progress);

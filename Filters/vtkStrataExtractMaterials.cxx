@@ -29,6 +29,7 @@ int vtkStrataExtractMaterials::RequestData(
     const auto input = conversion::readRepresentation(vtkDataObject::GetData(inputs[0]));
     const strata::MaterialSet materials =
       conversion::chosenMaterials(this->MaterialLists->materials, input.view.materials);
+    progress.stage("Cutting the materials", 0.0, 1.0);
     conversion::writePieces(strata::cutPieces(input.view, materials, progress), input.view, output);
   });
 }

@@ -37,6 +37,7 @@ int vtkStrataMaterialInterfaces::RequestData(
     strata::ExtractOptions extraction;
     extraction.volumeCorrection = this->VolumeCorrection;
     extraction.minimumVolumeFraction = this->MinimumVolumeFraction;
+    progress.stage("Finding the interfaces", 0.0, 1.0);
     const strata::ExtractedInterfaces found = strata::extractInterfaces(read.simulation, extraction, progress);
     conversion::warn(this, found.warnings);
     conversion::writeInterfaces(found.interfaces, read.simulation.materials, output);

@@ -25,6 +25,7 @@ int vtkStrataRepresentedInterfaces::RequestData(
   auto* output = vtkPolyData::GetData(outputs);
   return conversion::guarded(this, output, [&](strata::Progress& progress) {
     const auto input = conversion::readRepresentation(vtkDataObject::GetData(inputs[0]));
+    progress.stage("Cutting the interfaces", 0.0, 1.0);
     conversion::writeRepresentedSurfaces(strata::representedInterfaces(input.view, progress), input.view, output);
   });
 }

@@ -44,6 +44,7 @@ int vtkStrataSample::RequestData(vtkInformation*, vtkInformationVector** inputs,
   return conversion::guarded(this, output, [&](strata::Progress& progress) {
     const auto input = conversion::readRepresentation(vtkDataObject::GetData(inputs[0]));
     const std::vector<double> coordinates = conversion::coordinatesOf(points);
+    progress.stage("Sampling", 0.0, 1.0);
     strata::Samples samples =
       strata::sample(input.view, coordinates.data(), static_cast<strata::Index>(coordinates.size() / 3), progress);
     output->ShallowCopy(points);

@@ -131,6 +131,7 @@ int vtkStrataSlice::RequestData(vtkInformation*, vtkInformationVector** inputs, 
     {
       plane.offset = offset;
       vtkNew<vtkPolyData> one;
+      progress.stage("Slicing", 0.0, 1.0);
       conversion::writeSlice(strata::slice(mesh, plane, materials, this->State->index.get(), progress), mesh, one);
       all->AddInputData(one);
     }

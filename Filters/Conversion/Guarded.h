@@ -20,6 +20,7 @@ int guarded(vtkAlgorithm* filter, vtkDataObject* output, const Work& work)
   try
   {
     FilterProgress progress(filter);
+    progress.stage("Reading the input", 0.0, 0.0);
     work(progress);
     return 1;
   }
