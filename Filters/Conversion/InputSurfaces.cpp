@@ -1,5 +1,6 @@
 #include "Conversion/InputSurfaces.h"
 
+#include "Conversion/OrientSurface.h"
 #include "Conversion/ValueConversion.h"
 #include "Conversion/Weld.h"
 
@@ -18,14 +19,13 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <utility>
 
 namespace strata::conversion
 {
 namespace
 {
-using Triangle = std::array<Index, 3>;
+using Triangle = SurfaceTriangle;
 using Pair = std::pair<std::int32_t, std::int32_t>;
 
 std::string label(const NamedSurface& surface)
@@ -179,32 +179,6 @@ void checkFinite(const NamedSurface& surface, const std::vector<Vector>& points)
     if (!points[i].allFinite())
     {
       throw InvalidInput("Point " + std::to_string(i) + " of " + label(surface).substr(4) + " is not finite");
-    }
-  }
-}
-
-/// Turns triangles whose normal disagrees with the surface's own normals.
-void orient(vtkPolyData* surface, const std::vector<Vector>& points, std::vector<Triangle>& triangles)
-{
-  vtkDataArray* atPoints = surface->GetPointData()->GetNormals();
-  vtkDataArray* inCells = surface->GetCellData()->GetNormals();
-  if ((!atPoints && !inCells) || triangles.empty())
-  {
-    return;
-  }
-  const ValueArray normals = valuesOf(atPoints ? atPoints : inCells);
-  const auto normal = [&](Index i) { return Vector(normals(i, 0), normals(i, 1), normals(i, 2)); };
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    Triangle& triangle = triangles[t];
-    const Vector& p = points[static_cast<std::size_t>(triangle[0])];
-    const Vector area =
-      (points[static_cast<std::size_t>(triangle[1])] - p).cross(points[static_cast<std::size_t>(triangle[2])] - p);
-    const Vector given = atPoints ? Vector(normal(triangle[0]) + normal(triangle[1]) + normal(triangle[2]))
-                                  : normal(static_cast<Index>(t));
-    if (area.dot(given) < 0.0)
-    {
-      std::swap(triangle[1], triangle[2]);
     }
   }
 }
