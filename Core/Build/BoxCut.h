@@ -3,10 +3,22 @@
 #include "Build/Tetrahedron.h"
 #include "Geometry/Box.h"
 
-#include <vector>
-
 namespace strata
 {
+/// A polynomial c0 + c1 t + c2 t^2 + c3 t^3 on [0, 1].
+struct Cubic
+{
+  double c0;
+  double c1;
+  double c2;
+  double c3;
+
+  /// Exact.
+  double largestAbsoluteValue() const;
+  /// An upper bound of that: the largest coefficient in Bernstein's form.
+  double quickBound() const;
+};
+
 /// A multilinear function on the unit cube.
 class MultilinearFunction
 {
@@ -15,16 +27,13 @@ public:
   explicit MultilinearFunction(const std::array<double, 8>& values);
 
   double operator()(const Vector& u) const;
-  /// The largest absolute value on the segment from a to b: exact, since the function is a cubic polynomial there.
-  double largestAbsoluteValue(const Vector& a, const Vector& b) const;
+  /// The function along the segment from a to b, as a polynomial of t in [0, 1].
+  Cubic along(const Vector& a, const Vector& b) const;
 
 private:
   /// Of 1, u, v, uv, w, uw, vw, uvw.
   std::array<double, 8> coefficients_;
 };
-
-/// The largest |c0 + c1 t + c2 t^2 + c3 t^3| for t in [0, 1].
-double largestAbsoluteValue(const std::array<double, 4>& cubic);
 
 /// Where a tetrahedron and an axis-aligned box meet, in the box's own coordinates (its corners are 0 and 1).
 class BoxCut
@@ -45,18 +54,26 @@ public:
   Vector innerCorner(std::size_t i) const;
   /// The edges of the intersection. A function that is linear along each axis has its largest absolute value over
   /// the intersection on them if every face of the tetrahedron is parallel to some axis (algorithms, 2.3).
-  const std::vector<Edge>& edges();
+  const Edge* begin();
+  const Edge* end() { return begin() + edgeCount_; }
 
 private:
-  void addFace(std::size_t opposite);
+  void findEdges();
+  void addWithin(const Vector& a, const Vector& b);
+  void addSide(int axis, double limit);
   void addBoxEdges();
+  void addBoxEdge(const Vector& a, const Vector& b);
+  void add(const Vector& a, const Vector& b) { edges_[edgeCount_++] = { a, b }; }
 
   const Barycentric& barycentric_;
   Box box_;
   std::array<Vector, 4> corners_; ///< of the tetrahedron, in the box's coordinates
   Vector lower_;
   Vector upper_;
+  std::array<std::array<bool, 2>, 3> cuts_{}; ///< whether the box's lower and upper side reach the tetrahedron
   bool haveEdges_ = false;
-  std::vector<Edge> edges_;
+  std::size_t edgeCount_ = 0;
+  /// Six edges of the tetrahedron, twelve of the box, and six sides of the box on each of four faces.
+  std::array<Edge, 6 + 12 + 24> edges_;
 };
 }

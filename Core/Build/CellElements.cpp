@@ -9,6 +9,8 @@ namespace
 {
 /// Positions are asked for in blocks of this many samples.
 constexpr Index blockSize = 256;
+/// Boxes are not free to make.
+constexpr Index boxBlockSize = 16;
 
 void keepSamples(
   const Barycentric& cell, const CellElements& all, const NativeData& native, std::vector<std::uint32_t>& kept)
@@ -31,10 +33,10 @@ void keepSamples(
 void keepNativeCells(
   const Barycentric& cell, const CellElements& all, const NativeData& native, std::vector<std::uint32_t>& kept)
 {
-  std::array<Box, blockSize> boxes;
-  for (Index begin = 0; begin < all.nativeCellCount(); begin += blockSize)
+  std::array<Box, boxBlockSize> boxes;
+  for (Index begin = 0; begin < all.nativeCellCount(); begin += boxBlockSize)
   {
-    const Index count = std::min<Index>(blockSize, all.nativeCellCount() - begin);
+    const Index count = std::min<Index>(boxBlockSize, all.nativeCellCount() - begin);
     native.nativeCellBoxes(all.nativeCells() + begin, count, boxes.data());
     for (Index i = 0; i < count; ++i)
     {
@@ -104,6 +106,12 @@ bool meets(const Barycentric& cell, const std::array<Vector, 3>& triangle)
 
 bool mayMeet(const Barycentric& cell, const Box& box)
 {
+  const Vector slack = faceTolerance * cell.box.size();
+  if (((box.lower - slack).array() > cell.box.upper.array()).any() ||
+      ((box.upper + slack).array() < cell.box.lower.array()).any())
+  {
+    return false;
+  }
   const Vector center = box.center();
   const Vector half = 0.5 * box.size();
   for (const LinearFunction& weight : cell.weights)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace strata
 {
@@ -14,9 +15,6 @@ namespace
 /// Rounding of a difference, relative to the largest number that takes part in it.
 constexpr double rounding = 32.0 * std::numeric_limits<double>::epsilon();
 
-/// The differences native - represented at the corners of a native cell, for one component.
-using Differences = std::array<double, 8>;
-
 /// What a cell represents of one component of a material's field.
 struct Represented
 {
@@ -24,7 +22,18 @@ struct Represented
   double size = 0.0; ///< of the numbers that are added up in evaluating it
 };
 
-/// One field of one material over native cells. `Cut` is what is known of where a native cell meets the cell.
+/// A field of a material over a native cell, with an upper bound of its error there.
+struct Candidate
+{
+  double bound;
+  NativeCellIndex cell;
+  Box box;
+  MaterialId material;
+  std::size_t field;
+  int first; ///< position of the field's first component among the represented functions
+};
+
+/// A cell's fields, compared with those of native cells.
 class CellFields
 {
 public:
@@ -45,38 +54,67 @@ public:
     }
   }
 
-  void add(NativeCellIndex index, const Box& box)
+  /// Takes note of a native cell's fields that may raise an error.
+  void look(NativeCellIndex index, const Box& box)
   {
-    const NativeCell cell = native_.nativeCell(index);
-    const MaterialSet materials = cell.materials & held_;
-    if (materials.empty())
+    if (holds(box))
     {
+      // The difference is largest at the corners, which are samples in the cell.
       return;
     }
-    switch (cell.kind)
+    const NativeCell cell = native_.nativeCell(index);
+    const MaterialSet materials = cell.materials & held_;
+    for (const MaterialId m : materials)
     {
-      case NativeCell::Kind::Box: {
-        BoxCut cut(positions_, barycentric_, box);
-        if (!cut.empty())
+      int first = held_.rank(m) * components_;
+      for (std::size_t f = 0; f < hierarchy_.fields.size(); ++f)
+      {
+        Candidate candidate{ 0.0, index, box, m, f, first };
+        first += hierarchy_.fields[f].components;
+        if (findDifferences(cell, candidate))
         {
-          addMaterials(cell, materials, cut);
+          candidate.bound =
+            slack_ + (cell.kind == NativeCell::Kind::Box ? quickBound(BoxCut(positions_, barycentric_, box))
+                                                         : largestAtCorners(cell));
+          if (candidate.bound > static_cast<double>(errors_.fieldErrors[f]))
+          {
+            candidates_.push_back(candidate);
+          }
         }
-        return;
       }
-      case NativeCell::Kind::Tetrahedron: {
-        TetrahedronCut cut(positions_, barycentric_, cell.corners);
-        addMaterials(cell, materials, cut);
-        return;
-      }
-      case NativeCell::Kind::Hexahedron: {
-        HexahedronCut cut(barycentric_, cell.corners);
-        addMaterials(cell, materials, cut);
-        return;
+    }
+  }
+
+  /// Raises the errors. The largest quick bounds come first: most others turn out not to matter.
+  void raise()
+  {
+    std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
+      return a.bound != b.bound ? a.bound > b.bound
+                                : std::make_pair(a.cell, a.material) < std::make_pair(b.cell, b.material);
+    });
+    for (const Candidate& candidate : candidates_)
+    {
+      float& error = errors_.fieldErrors[candidate.field];
+      if (candidate.bound > static_cast<double>(error))
+      {
+        const NativeCell cell = native_.nativeCell(candidate.cell);
+        findDifferences(cell, candidate);
+        const double largest = largestDifference(cell, candidate.box, static_cast<double>(error) - slack_);
+        error = std::max(error, roundedUp(std::min(candidate.bound, largest + slack_)));
       }
     }
   }
 
 private:
+  /// Whether a box lies in the cell as a whole.
+  bool holds(const Box& box) const
+  {
+    const Vector center = box.center();
+    const Vector half = 0.5 * box.size();
+    return std::all_of(barycentric_.weights.begin(), barycentric_.weights.end(),
+      [&](const LinearFunction& weight) { return weight(center) >= weight.gradient.cwiseAbs().dot(half); });
+  }
+
   Represented represent(const MaterialCorners& corners, int position) const
   {
     Represented result{ representedFunction(barycentric_, corners, position), 0.0 };
@@ -89,63 +127,60 @@ private:
     return result;
   }
 
-  template<typename Cut>
-  void addMaterials(const NativeCell& cell, MaterialSet materials, Cut& cut)
+  /// Finds native - represented at the corners of a native cell, and how much rounding may take from them; false where
+  /// the material lacks the field or the field is known at the other kind of samples.
+  bool findDifferences(const NativeCell& cell, const Candidate& candidate)
   {
-    for (const MaterialId m : materials)
-    {
-      int first = held_.rank(m) * components_;
-      for (std::size_t f = 0; f < hierarchy_.fields.size(); ++f)
-      {
-        addField(cell, m, f, represented_.data() + first, cut);
-        first += hierarchy_.fields[f].components;
-      }
-    }
-  }
-
-  template<typename Cut>
-  void addField(const NativeCell& cell, MaterialId m, std::size_t f, const Represented* represented, Cut& cut)
-  {
-    const auto components = static_cast<std::size_t>(hierarchy_.fields[f].components);
+    const auto components = static_cast<std::size_t>(hierarchy_.fields[candidate.field].components);
     const auto corners = static_cast<std::size_t>(cell.cornerCount());
     values_.resize(components * 8);
-    native_.values(FieldId(static_cast<Index>(f)), m, cell.samples.data(), cell.cornerCount(), values_.data());
+    native_.values(FieldId(static_cast<Index>(candidate.field)), candidate.material, cell.samples.data(),
+      cell.cornerCount(), values_.data());
     if (std::isnan(values_[0]))
     {
-      // A field that the material lacks, or that is known at the other kind of samples.
-      return;
+      return false;
     }
     differences_.resize(components);
-    double slack = 0.0;
+    slack_ = 0.0;
     for (std::size_t c = 0; c < components; ++c)
     {
-      double size = represented[c].size;
+      const Represented& represented = represented_[static_cast<std::size_t>(candidate.first) + c];
+      double size = represented.size;
       for (std::size_t i = 0; i < corners; ++i)
       {
         const double value = values_[i * components + c];
-        const double linear = represented[c].function(cell.corners[i]);
+        const double linear = represented.function(cell.corners[i]);
         differences_[c][i] = value - linear;
         size = std::max({ size, std::abs(value), std::abs(linear) });
       }
-      slack += rounding * size;
+      slack_ += rounding * size;
     }
-    const double known = static_cast<double>(errors_.fieldErrors[f]) - slack;
-    const double largest = largestDifference(cut, known);
-    if (largest > known)
-    {
-      errors_.fieldErrors[f] = roundedUp(largest + slack);
-    }
+    return true;
   }
 
-  /// An upper bound of the length of the difference where the cells meet; any number up to `known` where it is less.
-  double largestDifference(BoxCut& cut, double known)
+  double largestAtCorners(const NativeCell& cell) const
   {
-    functions_.clear();
-    for (const Differences& difference : differences_)
+    double largest2 = 0.0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cell.cornerCount()); ++i)
     {
-      functions_.emplace_back(difference);
+      double squared = 0.0;
+      for (const CornerNumbers& difference : differences_)
+      {
+        squared += difference[i] * difference[i];
+      }
+      largest2 = std::max(largest2, squared);
     }
-    // The length is convex along each axis, so on a box its maximum is at a corner.
+    return std::sqrt(largest2);
+  }
+
+  /// The largest length at the corners of a box round the intersection: it is convex along each axis.
+  double quickBound(const BoxCut& cut)
+  {
+    if (cut.empty())
+    {
+      return 0.0;
+    }
+    makeFunctions();
     double bound2 = 0.0;
     for (std::size_t i = 0; i < 8; ++i)
     {
@@ -157,27 +192,57 @@ private:
       }
       bound2 = std::max(bound2, squared);
     }
-    if (std::sqrt(bound2) <= known)
-    {
-      return known;
-    }
-    double largest2 = 0.0;
-    for (const BoxCut::Edge& edge : cut.edges())
-    {
-      double squared = 0.0;
-      for (const MultilinearFunction& function : functions_)
-      {
-        squared += std::pow(function.largestAbsoluteValue(edge.a, edge.b), 2);
-      }
-      largest2 = std::max(largest2, squared);
-    }
-    return std::sqrt(std::min(largest2, bound2));
+    return std::sqrt(bound2);
   }
 
-  template<typename Cut>
-  double largestDifference(Cut& cut, double known)
+  void makeFunctions()
   {
-    return cut.largestLength(differences_, known);
+    functions_.clear();
+    for (const CornerNumbers& difference : differences_)
+    {
+      functions_.emplace_back(difference);
+    }
+  }
+
+  /// An upper bound of the length of the difference where the cells meet; `known` or less where that is no larger.
+  double largestDifference(const NativeCell& cell, const Box& box, double known)
+  {
+    switch (cell.kind)
+    {
+      case NativeCell::Kind::Box:
+        makeFunctions();
+        return largestOnEdges(BoxCut(positions_, barycentric_, box));
+      case NativeCell::Kind::Tetrahedron:
+        return TetrahedronCut(positions_, barycentric_, cell.corners).largestLength(differences_);
+      case NativeCell::Kind::Hexahedron:
+        return HexahedronCut(barycentric_, cell.corners).largestLength(differences_, known);
+    }
+    return 0.0;
+  }
+
+  double largestOnEdges(BoxCut cut)
+  {
+    double largest2 = 0.0;
+    for (const BoxCut::Edge& edge : cut)
+    {
+      double quick2 = 0.0;
+      double squared = 0.0;
+      cubics_.clear();
+      for (const MultilinearFunction& function : functions_)
+      {
+        cubics_.push_back(function.along(edge.a, edge.b));
+        quick2 += std::pow(cubics_.back().quickBound(), 2);
+      }
+      if (quick2 > largest2)
+      {
+        for (const Cubic& cubic : cubics_)
+        {
+          squared += std::pow(cubic.largestAbsoluteValue(), 2);
+        }
+        largest2 = std::max(largest2, squared);
+      }
+    }
+    return std::sqrt(largest2);
   }
 
   const Hierarchy& hierarchy_;
@@ -188,9 +253,12 @@ private:
   CellErrors& errors_;
   int components_ = 0;
   std::vector<Represented> represented_; ///< [material held][component of all fields]
+  std::vector<Candidate> candidates_;
   std::vector<double> values_;
-  std::vector<Differences> differences_; ///< one per component
+  std::vector<CornerNumbers> differences_; ///< native - represented at a native cell's corners, per component
+  double slack_ = 0.0;                     ///< rounding of the differences
   std::vector<MultilinearFunction> functions_;
+  std::vector<Cubic> cubics_;
 };
 }
 
@@ -201,7 +269,7 @@ void addNativeCellErrors(const Hierarchy& hierarchy, CellId cell, const Barycent
   {
     return;
   }
-  constexpr Index blockSize = 256;
+  constexpr Index blockSize = 16;
   std::array<Box, blockSize> boxes;
   CellFields fields(hierarchy, cell, barycentric, native, errors);
   for (Index begin = 0; begin < elements.nativeCellCount(); begin += blockSize)
@@ -210,8 +278,9 @@ void addNativeCellErrors(const Hierarchy& hierarchy, CellId cell, const Barycent
     native.nativeCellBoxes(elements.nativeCells() + begin, count, boxes.data());
     for (Index i = 0; i < count; ++i)
     {
-      fields.add(elements.nativeCells()[begin + i], boxes[static_cast<std::size_t>(i)]);
+      fields.look(elements.nativeCells()[begin + i], boxes[static_cast<std::size_t>(i)]);
     }
   }
+  fields.raise();
 }
 }

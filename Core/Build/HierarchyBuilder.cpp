@@ -294,8 +294,15 @@ std::vector<float> HierarchyBuilder::valuesAt(VertexId vertex, MaterialId m) con
 
 CellRows HierarchyBuilder::rows(CellId cell) const
 {
-  return cellRows(
-    hierarchy_, cell, Barycentric(cornerPositions(hierarchy_, cell)), gatherElements(cell), *native_, interfaces_);
+  const Barycentric barycentric(cornerPositions(hierarchy_, cell));
+  const CellElements elements = gatherElements(cell);
+  CellRows rows = cellRows(hierarchy_, cell, barycentric, elements, *native_, interfaces_);
+  if (nativeElements_ == NativeElements::Cells)
+  {
+    addClippedCorners(barycentric, elements, interfaces_, rows);
+    addNativeCellPoints(hierarchy_, cell, barycentric, elements, *native_, rows);
+  }
+  return rows;
 }
 
 CellErrors HierarchyBuilder::errors(const Hierarchy& values, CellId cell) const

@@ -136,7 +136,7 @@ TetrahedronCut::TetrahedronCut(
   }
 }
 
-double TetrahedronCut::largestLength(const std::vector<CornerNumbers>& components, double /*known*/) const
+double TetrahedronCut::largestLength(const std::vector<CornerNumbers>& components) const
 {
   double largest2 = 0.0;
   for (const Weights& point : points_)

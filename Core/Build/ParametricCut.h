@@ -18,7 +18,7 @@ public:
     const std::array<Vector, 4>& corners, const Barycentric& barycentric, const std::array<Vector, 8>& native);
 
   /// The largest length of a function given by its components' values at the native corners: exact.
-  double largestLength(const std::vector<CornerNumbers>& components, double known) const;
+  double largestLength(const std::vector<CornerNumbers>& components) const;
 
 private:
   std::vector<std::array<double, 4>> points_; ///< in the native tetrahedron's barycentric coordinates

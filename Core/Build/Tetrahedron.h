@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Geometry/Box.h"
 #include "Geometry/Vector.h"
 
 #include <Eigen/Geometry>
@@ -20,6 +21,7 @@ struct LinearFunction
 struct Barycentric
 {
   std::array<LinearFunction, 4> weights;
+  Box box; ///< round the tetrahedron
 
   explicit Barycentric(const std::array<Vector, 4>& corners)
   {
@@ -29,6 +31,7 @@ struct Barycentric
       const Vector normal = (corners[(i + 2) % 4] - a).cross(corners[(i + 3) % 4] - a);
       weights[i].gradient = normal / normal.dot(corners[i] - a);
       weights[i].constant = -weights[i].gradient.dot(a);
+      box.add(corners[i]);
     }
   }
 

@@ -83,9 +83,10 @@ TEST(MultilinearFunction, ItsLargestValueOnASegmentIsThatOfDenseSampling)
     {
       sampled = std::max(sampled, std::abs(f(a + step * (i / 1000.0))));
     }
-    const double largest = f.largestAbsoluteValue(a, a + step);
+    const double largest = f.along(a, a + step).largestAbsoluteValue();
     EXPECT_GE(largest, sampled - 1e-13);
     EXPECT_LE(largest, sampled + 1e-4);
+    EXPECT_GE(f.along(a, a + step).quickBound(), largest - 1e-13);
   }
 }
 
@@ -110,9 +111,9 @@ TEST(BoxCut, TheEdgesHoldTheLargestValueOfTheIntersection)
     double bound = 0.0;
     if (!cut.empty())
     {
-      for (const BoxCut::Edge& edge : cut.edges())
+      for (const BoxCut::Edge& edge : cut)
       {
-        bound = std::max(bound, f.largestAbsoluteValue(edge.a, edge.b));
+        bound = std::max(bound, f.along(edge.a, edge.b).largestAbsoluteValue());
       }
     }
     double sampled = 0.0;
@@ -160,7 +161,8 @@ TEST(BoxCut, ABoxAwayFromTheTetrahedronHasNoEdgesInIt)
   Box atCorner;
   atCorner.lower = Vector(0, 0.5, 0.5);
   atCorner.upper = Vector(0.4, 1, 1);
-  EXPECT_TRUE(BoxCut(corners, barycentric, atCorner).edges().empty());
+  BoxCut none(corners, barycentric, atCorner);
+  EXPECT_EQ(none.begin(), none.end());
 }
 }
 }
