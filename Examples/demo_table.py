@@ -16,7 +16,7 @@ ROWS = ("cells with an interface", "all cells, interface bound alone", "all cell
 PAPERS_CHOICES = {"DistanceMethod": "Closest vertex", "GhostMethod": "Constant", "ErrorMethod": "Accumulated",
                   "FinestInterfaceErrorBound": 0.05, "FinestFieldErrorBound": 0.02, "MaximumLevel": 30}
 CHOICES = (("paper's choices", PAPERS_CHOICES), ("Strata", {}), ("Strata, fitted", {"ErrorMethod": "Fitted"}))
-INTERFACES = ("interfaces from the dual grid, as in the paper", "interfaces with volumes corrected to the fractions")
+INTERFACES = ("interfaces without the correction of volumes", "interfaces with volumes corrected to the fractions")
 NO_BOUND = 1e30
 
 
@@ -57,7 +57,7 @@ def print_table(title, columns):
 
 
 def show(case):
-    """All choices on interfaces from the dual grid, as the paper has them, and on those with corrected volumes."""
+    """All choices on interfaces with and without the correction of their volumes."""
     for correction, title in enumerate(INTERFACES):
         interfaces = simple.MaterialInterfaces(Input=case, VolumeCorrection=correction)
         refiners = [(name, refiner(case, interfaces, choices)) for name, choices in CHOICES]
