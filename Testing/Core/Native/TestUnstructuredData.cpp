@@ -267,3 +267,46 @@ TEST(UnstructuredData, InterpolatesAMaterialsDataAcrossTheInterface)
     EXPECT_NE(valueAt(*data, block, sample, false, Vector(0.2, 0.375, 0.375), GhostMethod::Linear), 5.0);
   }
 }
+
+TEST(UnstructuredData, InterpolatesPointDataWithinCells)
+{
+  // The functions that cells of each shape can hold exactly, in a grid of parallelepipeds.
+  const Function trilinear = [](MaterialId, const Vector& p) {
+    // In the coordinates before the shear.
+    const double y = p.y();
+    const double x = p.x() - 0.3 * y;
+    return (1.0 + x) * (2.0 - y) + 0.5 * x;
+  };
+  const Function linear = [](MaterialId, const Vector& p) { return 1.0 + p.x() - 2.0 * p.y() + 3.0 * p.z(); };
+  for (const CellShape shape : shapes)
+  {
+    const Function& field = shape == CellShape::Hexahedron ? trilinear : linear;
+    const auto data = read(pureMaterials(
+      shearedGrid(4, shape), [](const Vector&) { return 1.0; }, field, Association::Points));
+    std::mt19937 random(3);
+    for (int i = 0; i < 200; ++i)
+    {
+      Vector p = randomPoint(random);
+      p = Vector(p.x() + 0.3 * p.y(), p.y(), 0.7 * p.z() - 0.2 * p.x());
+      EXPECT_NEAR(valueAt(*data, block, p), field(block, p), 1e-9);
+    }
+  }
+}
+
+TEST(UnstructuredData, ContinuesPointDataPastTheGridWithoutAJump)
+{
+  const Function field = [](MaterialId, const Vector& p) { return p.squaredNorm() + p.x() * p.y(); };
+  for (const CellShape shape : { CellShape::Tetrahedron, CellShape::Hexahedron, CellShape::Wedge, CellShape::Pyramid })
+  {
+    const auto data = read(pureMaterials(
+      unstructured(boxGrid(4, 4, 4), shape), [](const Vector&) { return 1.0; }, field, Association::Points));
+    std::mt19937 random(4);
+    for (int i = 0; i < 50; ++i)
+    {
+      Vector on = randomPoint(random);
+      on.x() = 1.0;
+      const Vector beyond = on + Vector(1e-6, 0, 0);
+      EXPECT_NEAR(valueAt(*data, block, on), valueAt(*data, block, beyond, false, on), 1e-4);
+    }
+  }
+}
