@@ -17,9 +17,8 @@ WINDOW = (1280, 1000)
 PATIENCE = 200  # seconds: a dialog that nobody expected waits for ever
 # The part of the window in which the render view lies, without its legend, as fractions: left, right, top, bottom.
 VIEW = (0.27, 0.88, 0.24, 0.94)
-# Less than the data cover even seen from the side, where a busy window did not turn the camera in time; more than
-# the axes do.
-SMALLEST_COVERED_PART = 0.01
+# Less than the data cover; more than axes and outline do, or a slice from whose edge the camera has not turned.
+SMALLEST_COVERED_PART = 0.15
 SMALLEST_NUMBER_OF_COLOURS = 8
 
 
