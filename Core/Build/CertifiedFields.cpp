@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace strata
@@ -14,6 +15,9 @@ namespace
 {
 /// Rounding of a difference, relative to the largest number that takes part in it.
 constexpr double rounding = 32.0 * std::numeric_limits<double>::epsilon();
+/// Bisections of a hexahedron before it is known which ones matter, and then.
+constexpr int firstBisections = 24;
+constexpr int allBisections = 2000;
 
 /// What a cell represents of one component of a material's field.
 struct Represented
@@ -44,6 +48,7 @@ public:
     positions_(cornerPositions(hierarchy, cell)), errors_(errors)
   {
     components_ = hierarchy.valuesPerMaterial - 1;
+    reached_.assign(hierarchy.fields.size(), 0.0);
     for (const MaterialId m : held_)
     {
       const MaterialCorners corners = materialCorners(hierarchy, hierarchy.cell(cell), m);
@@ -73,9 +78,7 @@ public:
         first += hierarchy_.fields[f].components;
         if (findDifferences(cell, candidate))
         {
-          candidate.bound =
-            slack_ + (cell.kind == NativeCell::Kind::Box ? quickBound(BoxCut(positions_, barycentric_, box))
-                                                         : largestAtCorners(cell));
+          candidate.bound = slack_ + firstBound(cell, candidate);
           if (candidate.bound > static_cast<double>(errors_.fieldErrors[f]))
           {
             candidates_.push_back(candidate);
@@ -99,7 +102,8 @@ public:
       {
         const NativeCell cell = native_.nativeCell(candidate.cell);
         findDifferences(cell, candidate);
-        const double largest = largestDifference(cell, candidate.box, static_cast<double>(error) - slack_);
+        const double known = std::max({ static_cast<double>(error) - slack_, reached_[candidate.field], resolution() });
+        const double largest = largestDifference(cell, candidate.box, known);
         error = std::max(error, roundedUp(std::min(candidate.bound, largest + slack_)));
       }
     }
@@ -156,6 +160,38 @@ private:
       slack_ += rounding * size;
     }
     return true;
+  }
+
+  /// A step of the floats that the values are stored in: smaller differences are not worth a search.
+  double resolution() const
+  {
+    double largest = 0.0;
+    for (const double value : values_)
+    {
+      largest = std::max(largest, std::abs(value));
+    }
+    return static_cast<double>(std::numeric_limits<float>::epsilon()) * largest;
+  }
+
+  /// A bound that is quickly found. For hexahedra, it also shows how large the field's error is at least.
+  double firstBound(const NativeCell& cell, const Candidate& candidate)
+  {
+    switch (cell.kind)
+    {
+      case NativeCell::Kind::Box:
+        return quickBound(BoxCut(positions_, barycentric_, candidate.box));
+      case NativeCell::Kind::Tetrahedron:
+        return largestAtCorners(cell);
+      case NativeCell::Kind::Hexahedron: {
+        double& reached = reached_[candidate.field];
+        const HexahedronCut cut(barycentric_, cell.corners);
+        const HexahedronCut::Bounds bounds =
+          cut.largestLength(differences_, std::max(reached, resolution()), firstBisections);
+        reached = std::max(reached, bounds.reached);
+        return bounds.upper;
+      }
+    }
+    return 0.0;
   }
 
   double largestAtCorners(const NativeCell& cell) const
@@ -215,7 +251,7 @@ private:
       case NativeCell::Kind::Tetrahedron:
         return TetrahedronCut(positions_, barycentric_, cell.corners).largestLength(differences_);
       case NativeCell::Kind::Hexahedron:
-        return HexahedronCut(barycentric_, cell.corners).largestLength(differences_, known);
+        return HexahedronCut(barycentric_, cell.corners).largestLength(differences_, known, allBisections).upper;
     }
     return 0.0;
   }
@@ -254,6 +290,7 @@ private:
   int components_ = 0;
   std::vector<Represented> represented_; ///< [material held][component of all fields]
   std::vector<Candidate> candidates_;
+  std::vector<double> reached_; ///< per field, at some point of a hexahedron
   std::vector<double> values_;
   std::vector<CornerNumbers> differences_; ///< native - represented at a native cell's corners, per component
   double slack_ = 0.0;                     ///< rounding of the differences

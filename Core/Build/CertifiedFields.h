@@ -10,7 +10,7 @@ namespace strata
 ///
 /// For scalars on boxes and tetrahedra the bound is the maximum itself but for rounding, which is added; for N
 /// components it is at most sqrt(N) times that, where their extremes lie at different points of one edge. On
-/// hexahedra it is found by bisection, to within a tenth of the maximum.
+/// hexahedra it is found by bisection, to within a fifth of the maximum.
 void addNativeCellErrors(const Hierarchy& hierarchy, CellId cell, const Barycentric& barycentric,
   const CellElements& elements, const NativeData& native, CellErrors& errors);
 }

@@ -1,7 +1,11 @@
 #include "Build/ParametricCut.h"
 
+#include "Build/BoxCut.h"
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <queue>
 
 namespace strata
@@ -11,8 +15,7 @@ namespace
 /// What lies this far outside in barycentric coordinates counts as inside.
 constexpr double tolerance = 1e-10;
 /// How far above the maximum a bound may be, relative to it.
-constexpr double looseness = 0.1;
-constexpr int maximumBisections = 2000;
+constexpr double looseness = 0.2;
 
 using Weights = std::array<double, 4>;
 
@@ -49,64 +52,187 @@ Weights weightsAt(const Barycentric& barycentric, const Vector& p)
   return { barycentric.weights[0](p), barycentric.weights[1](p), barycentric.weights[2](p), barycentric.weights[3](p) };
 }
 
-/// A box of a hexahedron's parameters: the values at its corners of the cell's barycentric coordinates, then of the
-/// function's components.
+/// The smallest of max_i (values[i] + x slopes[i]) over x >= 0, as the x at which it is reached.
+double lowestMaximum(const CornerNumbers& values, const CornerNumbers& slopes)
+{
+  double x = 0.0;
+  std::size_t top = 0;
+  for (std::size_t i = 1; i < 8; ++i)
+  {
+    top = values[i] > values[top] || (values[i] == values[top] && slopes[i] > slopes[top]) ? i : top;
+  }
+  // Along the maximum while it falls, from line to steeper line.
+  while (slopes[top] < 0.0)
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    std::size_t next = top;
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      const double crossing = (values[top] - values[i]) / (slopes[i] - slopes[top]);
+      if (slopes[i] > slopes[top] && crossing < nearest)
+      {
+        nearest = crossing;
+        next = i;
+      }
+    }
+    if (next == top)
+    {
+      return x;
+    }
+    x = std::max(x, nearest);
+    top = next;
+  }
+  return x;
+}
+
+/// An upper bound of a multilinear function within the cell, from the corners of a box of parameters. Adding
+/// non-negative multiples of the cell's barycentric coordinates raises the function within the cell and may lower it
+/// beyond, at the corners that rule the bound; the multiples are found one at a time.
+double boundWithin(CornerNumbers values, const std::array<CornerNumbers, 4>& weights)
+{
+  constexpr int sweeps = 2;
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+  {
+    for (const CornerNumbers& weight : weights)
+    {
+      if (*std::min_element(weight.begin(), weight.end()) >= 0.0)
+      {
+        continue;
+      }
+      const double multiple = lowestMaximum(values, weight);
+      for (std::size_t i = 0; i < 8; ++i)
+      {
+        values[i] += multiple * weight[i];
+      }
+    }
+  }
+  return *std::max_element(values.begin(), values.end());
+}
+
+/// A box of a hexahedron's parameters.
 struct Part
 {
-  std::vector<CornerNumbers> values;
-  double bound = 0.0; ///< of the function's length
-  int axis = 0;       ///< along which it is split next
+  Vector lower;
+  Vector upper;
+  double bound; ///< of the function's length
 
   friend bool operator<(const Part& a, const Part& b) { return a.bound < b.bound; }
 
-  bool misses() const
+  CornerNumbers cornersOf(const MultilinearFunction& function) const
   {
-    return std::any_of(values.begin(), values.begin() + 4, [](const CornerNumbers& weight) {
-      return std::all_of(weight.begin(), weight.end(), [](double w) { return w < -tolerance; });
-    });
+    CornerNumbers result;
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      result[i] = function(
+        { (i & 1) != 0 ? upper[0] : lower[0], (i & 2) != 0 ? upper[1] : lower[1], (i & 4) != 0 ? upper[2] : lower[2] });
+    }
+    return result;
   }
-  double lengthAt(std::size_t corner) const
+};
+
+/// Finds the largest length of a function within the cell by bisection of the parameters.
+class Bisection
+{
+public:
+  Bisection(const std::array<CornerNumbers, 4>& weights, const std::vector<CornerNumbers>& components, double known) :
+    functions_(components.begin(), components.end()), known_(known), values_(components.size())
+  {
+    for (const CornerNumbers& weight : weights)
+    {
+      weights_.emplace_back(weight);
+    }
+  }
+
+  HexahedronCut::Bounds run(int bisections)
+  {
+    consider({ Vector::Zero(), Vector::Ones(), 0.0 });
+    for (int done = 0; !parts_.empty(); ++done)
+    {
+      const Part part = parts_.top();
+      if (part.bound <= enough() || done == bisections)
+      {
+        return { std::max(part.bound, covered_), reached_ };
+      }
+      parts_.pop();
+      Eigen::Index axis = 0;
+      (part.upper - part.lower).maxCoeff(&axis);
+      const double middle = 0.5 * (part.lower[axis] + part.upper[axis]);
+      Part half = part;
+      half.upper[axis] = middle;
+      consider(half);
+      half = part;
+      half.lower[axis] = middle;
+      consider(half);
+    }
+    return { covered_, reached_ };
+  }
+
+private:
+  double enough() const { return std::max(known_, reached_ * (1.0 + looseness)); }
+
+  /// Keeps a part that may hold a larger length than is known.
+  void consider(Part part)
+  {
+    std::array<CornerNumbers, 4> weights;
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      weights[k] = part.cornersOf(weights_[k]);
+      for (double& weight : weights[k])
+      {
+        weight += tolerance;
+      }
+      if (*std::max_element(weights[k].begin(), weights[k].end()) < 0.0)
+      {
+        return;
+      }
+    }
+    std::transform(functions_.begin(), functions_.end(), values_.begin(),
+      [&](const MultilinearFunction& function) { return part.cornersOf(function); });
+    double atCorners = 0.0;
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      double squared = 0.0;
+      for (const CornerNumbers& value : values_)
+      {
+        squared += value[i] * value[i];
+      }
+      atCorners = std::max(atCorners, squared);
+      const bool inside =
+        std::all_of(weights.begin(), weights.end(), [&](const CornerNumbers& weight) { return weight[i] >= 0.0; });
+      reached_ = inside ? std::max(reached_, std::sqrt(squared)) : reached_;
+    }
+    part.bound = std::sqrt(atCorners);
+    part.bound = part.bound > enough() ? std::min(part.bound, boundOfComponents(weights)) : part.bound;
+    if (part.bound > enough())
+    {
+      parts_.push(part);
+    }
+    else
+    {
+      covered_ = std::max(covered_, part.bound);
+    }
+  }
+
+  double boundOfComponents(const std::array<CornerNumbers, 4>& weights) const
   {
     double squared = 0.0;
-    for (std::size_t c = 4; c < values.size(); ++c)
+    for (CornerNumbers value : values_)
     {
-      squared += values[c][corner] * values[c][corner];
+      double largest = boundWithin(value, weights);
+      std::transform(value.begin(), value.end(), value.begin(), std::negate<double>());
+      largest = std::max(largest, boundWithin(value, weights));
+      squared += largest > 0.0 ? largest * largest : 0.0;
     }
     return std::sqrt(squared);
   }
-  bool cornerIsInside(std::size_t corner) const
-  {
-    return std::all_of(
-      values.begin(), values.begin() + 4, [&](const CornerNumbers& weight) { return weight[corner] >= -tolerance; });
-  }
-  /// Finds the bound, and raises `reached` to lengths at corners within the cell.
-  void measure(double& reached)
-  {
-    bound = 0.0;
-    for (std::size_t corner = 0; corner < 8; ++corner)
-    {
-      const double length = lengthAt(corner);
-      bound = std::max(bound, length);
-      reached = length > reached && cornerIsInside(corner) ? length : reached;
-    }
-  }
-  Part half(bool upper) const
-  {
-    Part result = *this;
-    const std::size_t bit = std::size_t{ 1 } << axis;
-    for (CornerNumbers& value : result.values)
-    {
-      for (std::size_t i = 0; i < 8; ++i)
-      {
-        if ((i & bit) == 0)
-        {
-          value[upper ? i : i | bit] = 0.5 * (value[i] + value[i | bit]);
-        }
-      }
-    }
-    result.axis = (axis + 1) % 3;
-    return result;
-  }
+
+  std::vector<MultilinearFunction> weights_;
+  std::vector<MultilinearFunction> functions_;
+  double known_;
+  double reached_ = 0.0; ///< at a point within the cell
+  double covered_ = 0.0; ///< bound of all parts that were left
+  std::vector<CornerNumbers> values_;
+  std::priority_queue<Part> parts_;
 };
 }
 
@@ -163,38 +289,9 @@ HexahedronCut::HexahedronCut(const Barycentric& barycentric, const std::array<Ve
   }
 }
 
-double HexahedronCut::largestLength(const std::vector<CornerNumbers>& components, double known) const
+HexahedronCut::Bounds HexahedronCut::largestLength(
+  const std::vector<CornerNumbers>& components, double known, int bisections) const
 {
-  Part whole;
-  whole.values.assign(weights_.begin(), weights_.end());
-  whole.values.insert(whole.values.end(), components.begin(), components.end());
-  if (whole.misses())
-  {
-    return 0.0;
-  }
-  double reached = 0.0;
-  whole.measure(reached);
-  std::priority_queue<Part> parts;
-  parts.push(std::move(whole));
-  for (int bisection = 0; !parts.empty(); ++bisection)
-  {
-    const double enough = std::max(known, reached * (1.0 + looseness));
-    if (parts.top().bound <= enough || bisection == maximumBisections)
-    {
-      return parts.top().bound;
-    }
-    const Part part = parts.top();
-    parts.pop();
-    for (const bool upper : { false, true })
-    {
-      Part half = part.half(upper);
-      if (!half.misses())
-      {
-        half.measure(reached);
-        parts.push(std::move(half));
-      }
-    }
-  }
-  return 0.0;
+  return Bisection(weights_, components, known).run(bisections);
 }
 }

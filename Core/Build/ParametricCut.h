@@ -31,10 +31,15 @@ class HexahedronCut
 public:
   HexahedronCut(const Barycentric& barycentric, const std::array<Vector, 8>& native);
 
-  /// An upper bound of the largest length of a function given by its components' values at the native corners, found by
-  /// bisection of the parameters: at most a tenth above the maximum or `known`, whichever is larger, unless that
-  /// takes too long.
-  double largestLength(const std::vector<CornerNumbers>& components, double known) const;
+  struct Bounds
+  {
+    double upper;
+    double reached; ///< at some point of both cells
+  };
+  /// Bounds of the largest length of a function given by its components' values at the native corners, found with at
+  /// most so many bisections of the parameters: if they suffice, the upper one is no more than a fifth above the
+  /// maximum or `known`, whichever is larger. For several components that holds for their bounds put together.
+  Bounds largestLength(const std::vector<CornerNumbers>& components, double known, int bisections) const;
 
 private:
   std::array<CornerNumbers, 4> weights_;

@@ -196,9 +196,11 @@ TEST(HexahedronCut, ACellWithinAMuchLargerHexahedronGetsATightBound)
   const Barycentric barycentric(
     { a, a + Vector(0.001, 0, 0), a + Vector(0.001, 0.001, 0), a + Vector(0.001, 0.001, 0.001) });
   // x y is largest at the far corners.
-  const double bound = HexahedronCut(barycentric, corners).largestLength({ values }, 0.0);
-  EXPECT_GE(bound, 0.501 * 0.501);
-  EXPECT_LE(bound, 1.1 * 0.501 * 0.501);
+  const HexahedronCut::Bounds bounds = HexahedronCut(barycentric, corners).largestLength({ values }, 0.0, 1000);
+  EXPECT_GE(bounds.upper, 0.501 * 0.501);
+  EXPECT_LE(bounds.upper, 1.2 * 0.501 * 0.501);
+  EXPECT_LE(bounds.reached, 0.501 * 0.501 * (1.0 + 1e-9));
+  EXPECT_GE(bounds.reached, bounds.upper / 1.2 * (1.0 - 1e-9));
 }
 }
 }
