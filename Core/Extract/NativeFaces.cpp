@@ -1,43 +1,13 @@
 #include "Extract/NativeFaces.h"
 
+#include "Model/ShapeFaces.h"
+
 #include <algorithm>
 
 namespace strata
 {
 namespace
 {
-// Faces of the linear cells by VTK's corner numbers, counter-clockwise as seen from outside; -1 ends a triangle.
-constexpr int tetrahedronFaces[4][4] = { { 0, 1, 3, -1 }, { 1, 2, 3, -1 }, { 2, 0, 3, -1 }, { 0, 2, 1, -1 } };
-constexpr int hexahedronFaces[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 }, { 0, 3, 2, 1 },
-  { 4, 5, 6, 7 } };
-constexpr int wedgeFaces[5][4] = { { 0, 1, 2, -1 }, { 3, 5, 4, -1 }, { 0, 3, 4, 1 }, { 1, 4, 5, 2 }, { 2, 5, 3, 0 } };
-constexpr int pyramidFaces[5][4] = { { 0, 3, 2, 1 }, { 0, 1, 4, -1 }, { 1, 2, 4, -1 }, { 2, 3, 4, -1 },
-  { 3, 0, 4, -1 } };
-
-struct FaceTable
-{
-  const int (*faces)[4];
-  int count;
-};
-
-FaceTable tableOf(CellShape shape)
-{
-  switch (shape)
-  {
-    case CellShape::Tetrahedron:
-      return { tetrahedronFaces, 4 };
-    case CellShape::Hexahedron:
-      return { hexahedronFaces, 6 };
-    case CellShape::Wedge:
-      return { wedgeFaces, 5 };
-    case CellShape::Pyramid:
-      return { pyramidFaces, 5 };
-    case CellShape::Polyhedron:
-      break;
-  }
-  return { nullptr, 0 };
-}
-
 void endFace(CellFaces& faces)
 {
   faces.start.push_back(static_cast<std::int32_t>(faces.corners.size()));
@@ -62,13 +32,12 @@ void addNativeFaces(const UnstructuredGrid& grid, Index cell, CellFaces& faces)
     }
     return;
   }
-  const FaceTable table = tableOf(grid.shapes[cell]);
   const Index* corner = grid.corners.data() + grid.cornerOffsets[cell];
-  for (int f = 0; f < table.count; ++f)
+  for (const auto& face : facesOf(grid.shapes[cell]))
   {
-    for (int i = 0; i < 4 && table.faces[f][i] >= 0; ++i)
+    for (int i = 0; i < cornerCount(face); ++i)
     {
-      faces.corners.push_back(corner[table.faces[f][i]]);
+      faces.corners.push_back(corner[face[i]]);
     }
     endFace(faces);
   }
@@ -100,16 +69,15 @@ bool hasNativeFace(const UnstructuredGrid& grid, Index cell, const Index* corner
   {
     return false;
   }
-  const FaceTable table = tableOf(grid.shapes[cell]);
-  for (int f = 0; f < table.count; ++f)
+  for (const auto& face : facesOf(grid.shapes[cell]))
   {
-    unsigned face = 0;
-    std::size_t size = 0;
-    for (int i = 0; i < 4 && table.faces[f][i] >= 0; ++i, ++size)
+    const int size = cornerCount(face);
+    unsigned own = 0;
+    for (int i = 0; i < size; ++i)
     {
-      face |= 1u << table.faces[f][i];
+      own |= 1u << face[i];
     }
-    if (size == count && face == shared)
+    if (static_cast<std::size_t>(size) == count && own == shared)
     {
       return true;
     }

@@ -1,5 +1,7 @@
 #include "Native/CellCentroids.h"
 
+#include "Model/ShapeFaces.h"
+
 #include <Eigen/Geometry>
 #include <tbb/parallel_for.h>
 
@@ -12,35 +14,6 @@ namespace strata
 namespace
 {
 constexpr Index chunkSize = 16384;
-
-/// Faces of a shape as positions among its corners; the fourth is -1 for triangles.
-using Face = std::array<int, 4>;
-
-const std::vector<Face>& facesOf(CellShape shape)
-{
-  static const std::vector<Face> tetrahedron = { { 0, 1, 2, -1 }, { 0, 1, 3, -1 }, { 1, 2, 3, -1 }, { 0, 2, 3, -1 } };
-  static const std::vector<Face> hexahedron = { { 0, 1, 2, 3 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 }, { 1, 2, 6, 5 },
-    { 2, 3, 7, 6 }, { 3, 0, 4, 7 } };
-  static const std::vector<Face> wedge = { { 0, 1, 2, -1 }, { 3, 4, 5, -1 }, { 0, 1, 4, 3 }, { 1, 2, 5, 4 },
-    { 2, 0, 3, 5 } };
-  static const std::vector<Face> pyramid = { { 0, 1, 2, 3 }, { 0, 1, 4, -1 }, { 1, 2, 4, -1 }, { 2, 3, 4, -1 },
-    { 3, 0, 4, -1 } };
-  static const std::vector<Face> none;
-  switch (shape)
-  {
-    case CellShape::Tetrahedron:
-      return tetrahedron;
-    case CellShape::Hexahedron:
-      return hexahedron;
-    case CellShape::Wedge:
-      return wedge;
-    case CellShape::Pyramid:
-      return pyramid;
-    case CellShape::Polyhedron:
-      break;
-  }
-  return none;
-}
 
 Vector meanPoint(const UnstructuredGrid& grid, const Index* corners, std::size_t count)
 {
@@ -94,12 +67,12 @@ Vector centroidOf(const UnstructuredGrid& grid, std::size_t cell)
     }
     return moments.centroid();
   }
-  for (const Face& face : facesOf(grid.shapes[cell]))
+  for (const auto& face : facesOf(grid.shapes[cell]))
   {
     std::array<Index, 4> points{};
-    const std::size_t size = face[3] < 0 ? 3 : 4;
-    std::transform(face.begin(), face.begin() + size, points.begin(), [&](int i) { return corners[i]; });
-    moments.addFace(points.data(), size);
+    const int size = cornerCount(face);
+    std::transform(face, face + size, points.begin(), [&](int i) { return corners[i]; });
+    moments.addFace(points.data(), static_cast<std::size_t>(size));
   }
   return moments.centroid();
 }

@@ -1,43 +1,17 @@
 #include "Conversion/CellVolumes.h"
 
+#include "Model/ShapeFaces.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 
 namespace strata::conversion
 {
 namespace
 {
-using Faces = std::vector<std::vector<int>>;
-
-/// Faces with normals that point outwards, in VTK's numbers of corners.
-const Faces& facesOf(CellShape shape)
-{
-  static const Faces tetrahedron = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
-  static const Faces hexahedron = { { 0, 3, 2, 1 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 }, { 1, 2, 6, 5 }, { 2, 3, 7, 6 },
-    { 3, 0, 4, 7 } };
-  static const Faces wedge = { { 0, 1, 2 }, { 3, 5, 4 }, { 0, 3, 4, 1 }, { 1, 4, 5, 2 }, { 2, 5, 3, 0 } };
-  static const Faces pyramid = { { 0, 3, 2, 1 }, { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 } };
-  static const Faces none;
-  switch (shape)
-  {
-    case CellShape::Tetrahedron:
-      return tetrahedron;
-    case CellShape::Hexahedron:
-      return hexahedron;
-    case CellShape::Wedge:
-      return wedge;
-    case CellShape::Pyramid:
-      return pyramid;
-    case CellShape::Polyhedron:
-      break;
-  }
-  return none;
-}
-
 const Vector& pointAt(const UnstructuredGrid& grid, Index point)
 {
   return grid.points[static_cast<std::size_t>(point)];
@@ -182,9 +156,9 @@ double cellVolume(const UnstructuredGrid& grid, Index cell)
   const Index* corners = grid.corners.data() + grid.cornerOffsets[c];
   const auto p = [&](int k) -> const Vector& { return pointAt(grid, corners[k]); };
   double sum = 0.0;
-  for (const std::vector<int>& f : facesOf(grid.shapes[c]))
+  for (const auto& f : facesOf(grid.shapes[c]))
   {
-    if (f.size() == 3)
+    if (cornerCount(f) == 3)
     {
       sum += sixVolumes(p(0), p(f[0]), p(f[1]), p(f[2]));
       continue;
