@@ -18,7 +18,7 @@ void emit(benchmark::State& state, int series, const EmitOptions& options)
   const ThreadShare share;
   for (auto _ : state)
   {
-    mesh = emitMesh(builder.hierarchy(), level, options, progress);
+    mesh = emitMesh(builder.hierarchy(), level, levelCells(builder.hierarchy(), level, progress), options, progress);
   }
   share.report(state);
   countCells(state, mesh.cellCount(), bytesOf(mesh));

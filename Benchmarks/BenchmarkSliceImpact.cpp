@@ -15,7 +15,7 @@ Mesh fineMesh(int series, Progress& progress)
   const Impact& data = impact(series);
   HierarchyBuilder builder(data.native, data.interfaces, {}, progress);
   const Level level = buildLevel(builder, bounds(fine.interfaceError, fine.density), progress);
-  return emitMesh(builder.hierarchy(), level, {}, progress);
+  return emitMesh(builder.hierarchy(), level, levelCells(builder.hierarchy(), level, progress), {}, progress);
 }
 
 const SlicePlane askew{ Vector(4.0, 4.0, -6.0), Vector(0.4, 0.9, 0.15), 0.0 };

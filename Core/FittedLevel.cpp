@@ -1,6 +1,6 @@
 #include "FittedLevel.h"
 
-#include "Emit/LeafCells.h"
+#include "Emit/LevelCells.h"
 #include "Fit/FitValues.h"
 
 #include <tbb/parallel_for.h>
@@ -34,7 +34,7 @@ public:
       measure();
       std::vector<CellId> tooCoarse;
       std::copy_if(cells_.begin(), cells_.end(), std::back_inserter(tooCoarse),
-        [&](CellId c) { return criterion_.mustSplit(values_, c, 1.0); });
+        [&](CellId c) { return criterion_.mustSplit(values_.cell(c), criterion_.ratio(values_, c), 1.0); });
       if (tooCoarse.empty())
       {
         return { std::move(values_), front_.level(builder_.hierarchy()) };

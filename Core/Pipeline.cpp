@@ -1,15 +1,18 @@
 #include "Pipeline.h"
 
 #include "Build/HierarchyBuilder.h"
-#include "Emit/Needs.h"
+#include "Emit/MissingMaterials.h"
 #include "FittedLevel.h"
 #include "Model/Errors.h"
 #include "Select/Front.h"
 #include "Select/Saturate.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <tuple>
 
@@ -138,25 +141,52 @@ std::string reasonOf(const Achieved& achieved, const ErrorBounds& attainableBoun
   return everywhere && meets(achieved, attainableBounds) ? "resolution of the stored values" : "maximum level";
 }
 
+/// The values that the vertices lack, as they would be if a cell round them held the material.
+std::vector<ExtraValues> extraValues(
+  const HierarchyBuilder& builder, const std::vector<MissingMaterial>& missing, Progress& progress)
+{
+  std::vector<ExtraValues> extra(missing.size());
+  tbb::parallel_for(std::size_t{ 0 }, missing.size(), [&](std::size_t i) {
+    progress.check();
+    extra[i] = { missing[i].vertex, missing[i].material, builder.valuesAt(missing[i].vertex, missing[i].material) };
+  });
+  return extra;
+}
+
 /// Gives vertices the materials that win on a face of a cell which holds none of them, so that no region ends at
-/// a face. The values are what they would be if the cell held the material.
-void closeRegions(const HierarchyBuilder& builder, const Hierarchy& values, Level& level, Progress& progress)
+/// a face.
+void closeRegions(
+  const HierarchyBuilder& builder, const Hierarchy& values, Level& level, LevelCells& cells, Progress& progress)
 {
   for (;;)
   {
-    const std::vector<MissingMaterial> missing = missingMaterials(values, level, progress);
+    const std::vector<MissingMaterial> missing = missingMaterials(values, level, cells, progress);
     if (missing.empty())
     {
       return;
     }
     for (const MissingMaterial& m : missing)
     {
-      level.extra.push_back({ m.vertex, m.material, builder.valuesAt(m.vertex, m.material) });
+      cells.needs[static_cast<std::size_t>(m.number)].insert(m.material);
     }
-    std::sort(level.extra.begin(), level.extra.end(), [](const ExtraValues& a, const ExtraValues& b) {
-      return std::tie(a.vertex, a.material) < std::tie(b.vertex, b.material);
-    });
+    std::vector<ExtraValues> extra = extraValues(builder, missing, progress);
+    const auto known = static_cast<std::ptrdiff_t>(level.extra.size());
+    level.extra.insert(level.extra.end(), std::make_move_iterator(extra.begin()), std::make_move_iterator(extra.end()));
+    std::inplace_merge(level.extra.begin(), level.extra.begin() + known, level.extra.end(),
+      [](const ExtraValues& a, const ExtraValues& b) {
+        return std::tie(a.vertex, a.material) < std::tie(b.vertex, b.material);
+      });
   }
+}
+
+/// Closes the regions of a level and writes it.
+Mesh emitClosed(const HierarchyBuilder& builder, const Hierarchy& values, Level& level, const EmitOptions& emitted,
+  Progress& progress)
+{
+  progress.stage("Writing the mesh", buildShare, 1.0);
+  LevelCells cells = levelCells(values, level, progress);
+  closeRegions(builder, values, level, cells, progress);
+  return emitMesh(values, level, std::move(cells), emitted, progress);
 }
 
 /// Fitting serves levels by bounds; a budget, a region or a view takes the direct method.
@@ -219,8 +249,7 @@ Level Multiresolution::State::selectDirect(const SelectOptions& select, Progress
     smallestScale(fits);
   }
   Level level = fitting.level(hierarchy());
-  level.achieved.boundMet = std::none_of(fitting.cells().begin(), fitting.cells().end(),
-    [&](CellId c) { return criterion.exceedsBounds(hierarchy(), c, 1.0); });
+  level.achieved.boundMet = fitting.meetsBounds(hierarchy());
   level.achieved.stoppedBy = limited ? "maximum number of cells" : "bounds met";
   return level;
 }
@@ -267,9 +296,7 @@ Level Multiresolution::State::select(const SelectOptions& select, Progress& prog
 Mesh Multiresolution::State::emitSelected(const SelectOptions& chosen, const EmitOptions& emitted, Progress& progress)
 {
   Level level = select(chosen, progress);
-  closeRegions(*builder, hierarchy(), level, progress);
-  progress.stage("Writing the mesh", buildShare, 1.0);
-  return emitMesh(hierarchy(), level, emitted, progress);
+  return emitClosed(*builder, hierarchy(), level, emitted, progress);
 }
 
 Mesh Multiresolution::State::emitFitted(const SelectOptions& select, const EmitOptions& emitted, Progress& progress)
@@ -278,9 +305,7 @@ Mesh Multiresolution::State::emitFitted(const SelectOptions& select, const EmitO
   fit.maximumLevel = options.maximumLevel;
   FittedLevel fitted = fitLevel(*builder, select.bounds, fit, progress);
   fitted.level.achieved.stoppedBy = "bounds met";
-  closeRegions(*builder, fitted.values, fitted.level, progress);
-  progress.stage("Writing the mesh", buildShare, 1.0);
-  return emitMesh(fitted.values, fitted.level, emitted, progress);
+  return emitClosed(*builder, fitted.values, fitted.level, emitted, progress);
 }
 
 Multiresolution::Multiresolution(

@@ -107,7 +107,11 @@ void HierarchyBuilder::makeBaseMesh()
               at[path[step]] += Lattice::cubeSize;
             }
           }
-          joinDiamond(addCell(corners, 3, 0));
+          HierarchyCell cell;
+          cell.corners = corners;
+          // Three steps turn as their order does.
+          cell.inverted = (path[0] + 1) % 3 != path[1];
+          joinDiamond(addCell(cell));
         }
       }
     }
@@ -125,12 +129,8 @@ void HierarchyBuilder::fillBaseMesh(Progress& progress)
     [&](std::size_t c) { finishCell(CellId(static_cast<Index>(c)), all, materials); });
 }
 
-CellId HierarchyBuilder::addCell(const std::array<VertexId, 4>& corners, std::uint8_t tag, std::uint8_t level)
+CellId HierarchyBuilder::addCell(const HierarchyCell& cell)
 {
-  HierarchyCell cell;
-  cell.corners = corners;
-  cell.tag = tag;
-  cell.level = level;
   hierarchy_.cells.push_back(cell);
   return CellId(static_cast<Index>(hierarchy_.cells.size()) - 1);
 }
@@ -175,15 +175,19 @@ void HierarchyBuilder::addChildren(CellId parent, VertexId middle)
 {
   const HierarchyCell cell = hierarchy_.cell(parent);
   const std::size_t t = cell.tag;
-  std::array<VertexId, 4> first = cell.corners;
-  first[t] = middle;
-  std::array<VertexId, 4> second = cell.corners;
-  std::copy(cell.corners.begin() + 1, cell.corners.begin() + 1 + static_cast<std::ptrdiff_t>(t), second.begin());
-  second[t] = middle;
-  const auto tag = static_cast<std::uint8_t>(t == 1 ? 3 : t - 1);
-  const auto level = static_cast<std::uint8_t>(cell.level + 1);
-  const CellId child = addCell(first, tag, level);
-  addCell(second, tag, level);
+  HierarchyCell first;
+  first.corners = cell.corners;
+  first.corners[t] = middle;
+  first.tag = static_cast<std::uint8_t>(t == 1 ? 3 : t - 1);
+  first.level = static_cast<std::uint8_t>(cell.level + 1);
+  first.inverted = cell.inverted;
+  HierarchyCell second = first;
+  std::copy(
+    cell.corners.begin() + 1, cell.corners.begin() + 1 + static_cast<std::ptrdiff_t>(t), second.corners.begin());
+  // The middle takes corner 0's place and then moves on by t places, each an exchange.
+  second.inverted = cell.inverted != (t % 2 == 1);
+  const CellId child = addCell(first);
+  addCell(second);
   hierarchy_.cells[static_cast<std::size_t>(parent.value)].firstChild = child;
 }
 

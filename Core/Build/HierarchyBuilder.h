@@ -39,7 +39,7 @@ private:
     const Hierarchy& values, CellId cell, const Barycentric& barycentric, const CellElements& elements) const;
   void makeBaseMesh();
   void fillBaseMesh(Progress& progress);
-  CellId addCell(const std::array<VertexId, 4>& corners, std::uint8_t tag, std::uint8_t level);
+  CellId addCell(const HierarchyCell& cell);
   VertexId addVertex(const LatticePoint& point, MaterialSet materials);
   MaterialSet materialsAround(DiamondId diamond) const;
   void joinDiamond(CellId cell);

@@ -1,12 +1,9 @@
 #include "Emit/Emit.h"
 
-#include "Emit/LeafCells.h"
-#include "Emit/Needs.h"
-
-#include <Eigen/Geometry>
 #include <tbb/parallel_for.h>
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <limits>
 
 namespace strata
@@ -35,9 +32,10 @@ void forEach(Index count, Progress& progress, const Body& body)
 class Emitter
 {
 public:
-  Emitter(const Hierarchy& hierarchy, const Level& level, const EmitOptions& options, Progress& progress) :
-    hierarchy_(hierarchy), level_(level), options_(options), progress_(progress), cells_(leafCells(hierarchy, level)),
-    needs_(hierarchy, level, cells_), numbering_(numberVertices(hierarchy, cells_))
+  Emitter(const Hierarchy& hierarchy, const Level& level, LevelCells&& cells, const EmitOptions& options,
+    Progress& progress) :
+    hierarchy_(hierarchy),
+    level_(level), options_(options), progress_(progress), cells_(std::move(cells))
   {
     mesh_.materials = hierarchy.materials;
     mesh_.fields = hierarchy.fields;
@@ -46,43 +44,43 @@ public:
 
   Mesh run()
   {
-    emitCells();
-    emitVertices();
+    allocateVertexArrays();
+    forEach(vertexCount(), progress_, [this](Index number) { emitVertex(number); });
+    allocateCellArrays();
+    forEach(cellCount(), progress_, [this](Index i) { emitCell(i); });
+    mesh_.tetrahedra = std::move(cells_.tetrahedra);
     findAchievedErrors();
+    if (!options_.distances)
+    {
+      mesh_.distances = std::vector<Buffer<float>>(hierarchy_.materials.size());
+    }
     return std::move(mesh_);
   }
 
 private:
-  Index vertexCount() const { return static_cast<Index>(numbering_.vertices.size()); }
-  Index cellCount() const { return static_cast<Index>(cells_.size()); }
-  std::int32_t numberOf(VertexId v) const { return numbering_.numberOf[static_cast<std::size_t>(v.value)]; }
-  const float* valuesOf(VertexId v, MaterialId m) const { return level_.valuesOf(hierarchy_, v, m); }
+  Index vertexCount() const { return static_cast<Index>(cells_.vertices.size()); }
+  Index cellCount() const { return static_cast<Index>(cells_.cells.size()); }
 
-  void emitCells();
-  void emitTetrahedron(Index i);
-  bool isInverted(const HierarchyCell& cell) const;
-  MaterialId fillingMaterial(const HierarchyCell& cell, MaterialSet candidates) const;
+  void allocateCellArrays();
+  void emitCell(Index i);
+  MaterialId fillingMaterial(Index i) const;
   void allocateVertexArrays();
-  void emitVertices();
   void emitVertex(Index number);
-  void emitMaterialAtVertex(Index number, VertexId vertex, MaterialId m, bool needed);
-  MaterialId materialAt(VertexId vertex, MaterialSet candidates) const;
+  void emitMaterialAtVertex(Index number, MaterialId m, const float* values);
+  void emitComposite(Index number, const float* values);
   void findAchievedErrors();
 
   const Hierarchy& hierarchy_;
   const Level& level_;
   const EmitOptions& options_;
   Progress& progress_;
-  std::vector<CellId> cells_;
-  Needs needs_;
-  VertexNumbering numbering_;
+  LevelCells cells_;
   Mesh mesh_;
 };
 
-void Emitter::emitCells()
+void Emitter::allocateCellArrays()
 {
   const Index count = cellCount();
-  mesh_.tetrahedra = Buffer<std::int64_t>(4 * count);
   mesh_.cellMaterial = Buffer<std::int32_t>(count);
   mesh_.cellLevel = Buffer<std::int32_t>(count);
   mesh_.cellInterfaceError = Buffer<float>(count);
@@ -90,36 +88,13 @@ void Emitter::emitCells()
   {
     mesh_.cellFieldErrors.emplace_back(count);
   }
-  forEach(count, progress_, [this](Index i) { emitTetrahedron(i); });
 }
 
-/// Bisection turns orientations. The determinant of lattice differences has a safe sign in doubles: the shapes
-/// are those of the Kuhn tetrahedra and their halves, never slivers.
-bool Emitter::isInverted(const HierarchyCell& cell) const
+void Emitter::emitCell(Index i)
 {
-  const auto edge = [&](std::size_t corner) {
-    const LatticePoint& a = hierarchy_.vertices[static_cast<std::size_t>(cell.corners[0].value)];
-    const LatticePoint& b = hierarchy_.vertices[static_cast<std::size_t>(cell.corners[corner].value)];
-    return Vector(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
-  };
-  return edge(1).cross(edge(2)).dot(edge(3)) < 0.0;
-}
-
-void Emitter::emitTetrahedron(Index i)
-{
-  const CellId id = cells_[static_cast<std::size_t>(i)];
-  const HierarchyCell& cell = hierarchy_.cell(id);
-  std::int64_t* corners = mesh_.tetrahedra.data() + 4 * i;
-  for (std::size_t k = 0; k < 4; ++k)
-  {
-    corners[k] = numberOf(cell.corners[k]);
-  }
-  if (isInverted(cell))
-  {
-    std::swap(corners[2], corners[3]);
-  }
-  mesh_.cellMaterial[i] = fillingMaterial(cell, needs_.atAllCorners(cell)).value;
-  mesh_.cellLevel[i] = cell.level;
+  const CellId id = cells_.cells[static_cast<std::size_t>(i)];
+  mesh_.cellMaterial[i] = fillingMaterial(i).value;
+  mesh_.cellLevel[i] = hierarchy_.cell(id).level;
   mesh_.cellInterfaceError[i] = hierarchy_.interfaceError(id);
   for (std::size_t f = 0; f < hierarchy_.fields.size(); ++f)
   {
@@ -128,23 +103,22 @@ void Emitter::emitTetrahedron(Index i)
 }
 
 /// The material that is nearest at all corners, hence everywhere in the cell; none if the cell is mixed.
-MaterialId Emitter::fillingMaterial(const HierarchyCell& cell, MaterialSet candidates) const
+MaterialId Emitter::fillingMaterial(Index i) const
 {
-  if (candidates.size() == 1)
-  {
-    return candidates.first();
-  }
+  const MaterialSet candidates = cells_.atAllCorners(static_cast<std::size_t>(i));
   MaterialSet winners = candidates;
-  for (const VertexId corner : cell.corners)
+  for (std::size_t k = 0; k < 4 && candidates.size() > 1; ++k)
   {
+    const std::int64_t corner = cells_.tetrahedra[4 * i + static_cast<Index>(k)];
+    const auto distance = [&](MaterialId m) { return mesh_.distances[static_cast<std::size_t>(m.value)][corner]; };
     float smallest = std::numeric_limits<float>::infinity();
     for (const MaterialId m : candidates)
     {
-      smallest = std::min(smallest, *valuesOf(corner, m));
+      smallest = std::min(smallest, distance(m));
     }
     for (const MaterialId m : winners)
     {
-      if (*valuesOf(corner, m) > smallest)
+      if (distance(m) > smallest)
       {
         winners.erase(m);
       }
@@ -161,7 +135,7 @@ void Emitter::allocateVertexArrays()
   mesh_.values.resize(hierarchy_.fields.size());
   for (const Material& material : hierarchy_.materials)
   {
-    mesh_.distances.push_back(options_.distances ? Buffer<float>(count) : Buffer<float>());
+    mesh_.distances.emplace_back(count);
     const bool ghosts = options_.ghosts && material.hasFields;
     mesh_.ghosts.push_back(ghosts ? Buffer<std::uint8_t>(count) : Buffer<std::uint8_t>());
     for (std::size_t f = 0; f < hierarchy_.fields.size(); ++f)
@@ -176,30 +150,57 @@ void Emitter::allocateVertexArrays()
   }
 }
 
-void Emitter::emitVertices()
-{
-  allocateVertexArrays();
-  forEach(vertexCount(), progress_, [this](Index number) { emitVertex(number); });
-}
-
 void Emitter::emitVertex(Index number)
 {
-  const VertexId vertex = numbering_.vertices[static_cast<std::size_t>(number)];
+  const VertexId vertex = cells_.vertices[static_cast<std::size_t>(number)];
   const Vector position = hierarchy_.position(vertex);
   std::copy_n(position.data(), 3, mesh_.points.data() + 3 * number);
-  const MaterialSet needed = needs_.at(vertex);
-  const MaterialId own = materialAt(vertex, needed);
-  mesh_.vertexMaterial[number] = own.value;
+  const MaterialSet needed = cells_.needs[static_cast<std::size_t>(number)];
+  MaterialId own;
+  const float* ownValues = nullptr;
   for (std::size_t m = 0; m < hierarchy_.materials.size(); ++m)
   {
     const MaterialId material(static_cast<Index>(m));
-    emitMaterialAtVertex(number, vertex, material, needed.contains(material));
-    if (mesh_.ghosts[m].size() > 0)
+    const float* values = needed.contains(material) ? level_.valuesOf(hierarchy_, vertex, material) : nullptr;
+    emitMaterialAtVertex(number, material, values);
+    if (values && (!ownValues || *values < *ownValues))
     {
-      mesh_.ghosts[m][number] = material == own ? 0 : (needed.contains(material) ? 1 : 2);
+      own = material;
+      ownValues = values;
     }
   }
-  const float* values = valuesOf(vertex, own) + 1;
+  mesh_.vertexMaterial[number] = own.value;
+  if (mesh_.ghosts[static_cast<std::size_t>(own.value)].size() > 0)
+  {
+    mesh_.ghosts[static_cast<std::size_t>(own.value)][number] = 0;
+  }
+  emitComposite(number, ownValues + 1);
+}
+
+void Emitter::emitMaterialAtVertex(Index number, MaterialId m, const float* values)
+{
+  const auto index = static_cast<std::size_t>(m.value);
+  mesh_.distances[index][number] = values ? values[0] : notANumber;
+  if (mesh_.ghosts[index].size() > 0)
+  {
+    mesh_.ghosts[index][number] = values ? 1 : 2;
+  }
+  int position = 1;
+  for (std::size_t f = 0; f < hierarchy_.fields.size(); ++f)
+  {
+    const int components = hierarchy_.fields[f].components;
+    Buffer<float>& array = mesh_.values[f][index];
+    for (int c = 0; c < components && array.size() > 0; ++c)
+    {
+      array[number * components + c] = values ? values[position + c] : notANumber;
+    }
+    position += components;
+  }
+}
+
+/// The values of the material that the vertex lies in.
+void Emitter::emitComposite(Index number, const float* values)
+{
   for (std::size_t f = 0; f < hierarchy_.fields.size(); ++f)
   {
     const int components = hierarchy_.fields[f].components;
@@ -208,58 +209,23 @@ void Emitter::emitVertex(Index number)
   }
 }
 
-void Emitter::emitMaterialAtVertex(Index number, VertexId vertex, MaterialId m, bool needed)
-{
-  const auto index = static_cast<std::size_t>(m.value);
-  const float* values = needed ? valuesOf(vertex, m) : nullptr;
-  if (options_.distances)
-  {
-    mesh_.distances[index][number] = values ? values[0] : notANumber;
-  }
-  int position = 1;
-  for (std::size_t f = 0; f < hierarchy_.fields.size(); ++f)
-  {
-    const int components = hierarchy_.fields[f].components;
-    if (mesh_.values[f][index].size() > 0)
-    {
-      for (int c = 0; c < components; ++c)
-      {
-        mesh_.values[f][index][number * components + c] = values ? values[position + c] : notANumber;
-      }
-    }
-    position += components;
-  }
-}
-
-MaterialId Emitter::materialAt(VertexId vertex, MaterialSet candidates) const
-{
-  MaterialId nearest = candidates.first();
-  for (const MaterialId m : candidates)
-  {
-    nearest = *valuesOf(vertex, m) < *valuesOf(vertex, nearest) ? m : nearest;
-  }
-  return nearest;
-}
-
 void Emitter::findAchievedErrors()
 {
-  float interface = 0.0f;
-  std::vector<float> fields(hierarchy_.fields.size(), 0.0f);
-  for (const CellId id : cells_)
+  const auto largest = [](const Buffer<float>& errors) {
+    return errors.size() > 0 ? static_cast<double>(*std::max_element(errors.begin(), errors.end())) : 0.0;
+  };
+  mesh_.achieved.interfaceError = largest(mesh_.cellInterfaceError);
+  mesh_.achieved.fieldErrors.clear();
+  for (const Buffer<float>& errors : mesh_.cellFieldErrors)
   {
-    interface = std::max(interface, hierarchy_.interfaceError(id));
-    for (std::size_t f = 0; f < fields.size(); ++f)
-    {
-      fields[f] = std::max(fields[f], hierarchy_.fieldError(id, f));
-    }
+    mesh_.achieved.fieldErrors.push_back(largest(errors));
   }
-  mesh_.achieved.interfaceError = static_cast<double>(interface);
-  mesh_.achieved.fieldErrors.assign(fields.begin(), fields.end());
 }
 }
 
-Mesh emitMesh(const Hierarchy& hierarchy, const Level& level, const EmitOptions& options, Progress& progress)
+Mesh emitMesh(
+  const Hierarchy& hierarchy, const Level& level, LevelCells&& cells, const EmitOptions& options, Progress& progress)
 {
-  return Emitter(hierarchy, level, options, progress).run();
+  return Emitter(hierarchy, level, std::move(cells), options, progress).run();
 }
 }

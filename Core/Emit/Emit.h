@@ -1,8 +1,7 @@
 #pragma once
 
-#include "Model/Level.h"
+#include "Emit/LevelCells.h"
 #include "Model/Mesh.h"
-#include "Model/Progress.h"
 
 namespace strata
 {
@@ -15,6 +14,7 @@ struct EmitOptions
 };
 
 /// Writes a level of a hierarchy as a mesh (design 1). Cells come in the order of the bisection trees, vertices in
-/// the order of their first use, whatever the order in which the hierarchy was built.
-Mesh emitMesh(const Hierarchy& hierarchy, const Level& level, const EmitOptions& options, Progress& progress);
+/// the order of their first use, whatever the order in which the hierarchy was built. `cells` are those of the level.
+Mesh emitMesh(
+  const Hierarchy& hierarchy, const Level& level, LevelCells&& cells, const EmitOptions& options, Progress& progress);
 }

@@ -22,6 +22,7 @@ struct HierarchyCell
   CellId nextInDiamond;
   std::uint8_t tag = 3;
   std::uint8_t level = 0;
+  bool inverted = false; ///< whether its corners are negatively oriented
 };
 
 /// All tetrahedra round one split edge. They split together, which keeps the mesh conforming.

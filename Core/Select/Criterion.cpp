@@ -73,25 +73,17 @@ Criterion::Demand Criterion::demandAt(const Hierarchy& hierarchy, CellId cell) c
   return demand;
 }
 
-bool Criterion::exceedsBounds(const Hierarchy& hierarchy, CellId cell, double scale) const
+float Criterion::ratio(const Hierarchy& hierarchy, CellId cell) const
 {
   const Demand demand = demandAt(hierarchy, cell);
-  if (static_cast<double>(hierarchy.interfaceError(cell)) > demand.interfaceError * scale)
-  {
-    return true;
-  }
+  double largest = static_cast<double>(hierarchy.interfaceError(cell)) / demand.interfaceError;
   for (std::size_t f = 0; f < bounds_.fieldErrors.size(); ++f)
   {
-    if (static_cast<double>(hierarchy.fieldError(cell, f)) > bounds_.fieldErrors[f] * demand.fieldScale * scale)
-    {
-      return true;
-    }
+    const double bound = bounds_.fieldErrors[f] * demand.fieldScale;
+    largest = std::max(largest, static_cast<double>(hierarchy.fieldError(cell, f)) / bound);
   }
-  return false;
-}
-
-bool Criterion::mustSplit(const Hierarchy& hierarchy, CellId cell, double scale) const
-{
-  return hierarchy.cell(cell).level < maximumLevel_ && exceedsBounds(hierarchy, cell, scale);
+  const auto nearest = static_cast<float>(largest);
+  return static_cast<double>(nearest) < largest ? std::nextafter(nearest, std::numeric_limits<float>::infinity())
+                                                : nearest;
 }
 }

@@ -16,9 +16,13 @@ public:
   /// Throws InvalidInput for a view that shows nothing.
   Criterion(ErrorBounds bounds, Interest interest, int maximumLevel);
 
-  /// Whether a cell is too coarse and not on the maximum level.
-  bool mustSplit(const Hierarchy& hierarchy, CellId cell, double scale) const;
-  bool exceedsBounds(const Hierarchy& hierarchy, CellId cell, double scale) const;
+  /// The largest of a cell's errors in units of its bounds, rounded up: at smaller scales the cell is too coarse.
+  float ratio(const Hierarchy& hierarchy, CellId cell) const;
+  /// Whether a cell of a ratio is too coarse and not on the maximum level.
+  bool mustSplit(const HierarchyCell& cell, float ratio, double scale) const
+  {
+    return static_cast<double>(ratio) > scale && cell.level < maximumLevel_;
+  }
 
 private:
   /// What the bounds at a cell become; negative where the cell needs not meet any.

@@ -17,7 +17,8 @@ public:
   explicit Front(const Hierarchy& hierarchy);
 
   /// Splits cells as the criterion asks, as far as the hierarchy has been built, and stops beyond a number of
-  /// cells. Returns the diamonds that have to be built before it can go on: none when it is done.
+  /// cells. The criterion must be the same each time; the scale must not grow. Returns the diamonds that have to be
+  /// built before it can go on: none when it is done.
   std::vector<DiamondId> advance(
     const Hierarchy& hierarchy, const Criterion& criterion, double scale, Index maximumNumberOfCells);
 
@@ -27,12 +28,33 @@ public:
   std::vector<DiamondId> split(const Hierarchy& hierarchy, const std::vector<CellId>& cells);
 
   Index cellCount() const { return cellCount_; }
-  /// Cells of the mesh (not in any order).
-  const std::vector<CellId>& cells() const { return resting_; }
+  /// Whether no cell of the mesh exceeds the criterion's bounds; for a front that has been advanced to its end.
+  bool meetsBounds(const Hierarchy& hierarchy) const;
   Level level(const Hierarchy& hierarchy) const;
 
 private:
+  /// A cell that need not be split at the scales so far, and the scale below which it must.
+  struct RestingCell
+  {
+    CellId cell;
+    float ratio;
+  };
+  /// What a look at some cells finds.
+  struct Findings
+  {
+    std::vector<RestingCell> resting;
+    std::vector<CellId> tooCoarse;
+    Index cellCount = 0; ///< cells that were split
+  };
+
   bool isActive(DiamondId id) const { return active_[static_cast<std::size_t>(id.value)] == active; }
+  /// Looks at a cell of the mesh unless its diamond has been split.
+  void look(const Hierarchy& hierarchy, const Criterion& criterion, double scale, CellId cell, Findings& found) const;
+  /// Looks at the children of all cells of the diamonds that were split last.
+  void lookAtChildren(const Hierarchy& hierarchy, const Criterion& criterion, double scale);
+  void keep(const std::vector<Findings>& blocks);
+  /// Takes resting cells up again that are too coarse at a smaller scale; forgets those that have been split.
+  void wake(const Hierarchy& hierarchy, const Criterion& criterion, double scale);
   /// Splits a diamond in the mesh, its parents first; false if something has to be built before.
   bool activate(const Hierarchy& hierarchy, DiamondId id);
   bool activateParents(const Hierarchy& hierarchy, DiamondId id);
@@ -48,10 +70,12 @@ private:
   };
 
   std::vector<std::uint8_t> active_; ///< State of each diamond
-  std::vector<CellId> pending_;      ///< cells to look at
-  std::vector<CellId> resting_;      ///< cells that need not be split, some of them split since
-  std::vector<CellId> waiting_;      ///< cells whose diamonds wait for missing ones
+  std::vector<DiamondId> splitLast_; ///< active diamonds whose cells' children have not been looked at
+  std::vector<CellId> tooCoarse_;    ///< cells to be split
+  std::vector<CellId> waiting_;      ///< cells to be split whose diamonds wait for missing ones
+  std::vector<RestingCell> resting_; ///< some of them split since
   std::vector<DiamondId> missing_;
+  bool begun_ = false; ///< whether the base mesh has been looked at
   Index cellCount_ = 0;
 };
 }
