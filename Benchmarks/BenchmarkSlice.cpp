@@ -1,4 +1,5 @@
 // Slicing and what else the kernel serves, on a sphere in a box of 6 n^3 cells; n = 55 has a million.
+#include "Contour/Contour.h"
 #include "Geometry/CutTetrahedron.h"
 #include "Geometry/CutVolumes.h"
 #include "Pieces/Pieces.h"
@@ -107,6 +108,21 @@ static void MakeSliceIndex(benchmark::State& state)
   }
 }
 BENCHMARK(MakeSliceIndex)->Arg(55)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond);
+
+static void ContourBall(benchmark::State& state)
+{
+  const Mesh mesh = ballMesh(static_cast<int>(state.range(0)));
+  Progress progress;
+  Index polygons = 0;
+  for (auto _ : state)
+  {
+    // Planes of constant x in each of the three materials.
+    polygons = contour(view(mesh), FieldId(0), { 0.4, 1.4, 2.6 }, allMaterials(mesh), progress).material.size();
+  }
+  state.counters["cells"] = static_cast<double>(mesh.cellCount());
+  state.counters["polygons"] = static_cast<double>(polygons);
+}
+BENCHMARK(ContourBall)->Arg(55)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond);
 
 static void CutPieces(benchmark::State& state)
 {

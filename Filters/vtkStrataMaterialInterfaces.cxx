@@ -3,6 +3,7 @@
 #include "SimulationFilterLists.h"
 
 #include "Conversion/Guarded.h"
+#include "Conversion/Legend.h"
 #include "Conversion/OutputGridErrors.h"
 #include "Conversion/OutputSurfaces.h"
 
@@ -55,4 +56,9 @@ void vtkStrataMaterialInterfaces::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "VolumeCorrection: " << this->VolumeCorrection << "\n";
   os << indent << "VolumeErrors: " << this->VolumeErrors << "\n";
+}
+
+std::string vtkStrataMaterialInterfaces::GetLegend()
+{
+  return conversion::legendOf(this->GetOutputDataObject(0));
 }

@@ -11,6 +11,8 @@
 #include "vtkStrataFiltersModule.h" // for the export macro
 #include "vtkStrataSimulationFilter.h"
 
+#include <string>
+
 class VTKSTRATAFILTERS_EXPORT vtkStrataMaterialInterfaces : public vtkStrataSimulationFilter
 {
 public:
@@ -31,6 +33,9 @@ public:
   vtkGetMacro(VolumeErrors, bool);
   vtkBooleanMacro(VolumeErrors, bool);
   ///@}
+
+  /** What the numbers of the output's cell array `pair` stand for, a line "<number><tab><name>" each. */
+  std::string GetLegend();
 
 protected:
   vtkStrataMaterialInterfaces() = default;

@@ -2,6 +2,7 @@
 
 #include "Conversion/Guarded.h"
 #include "Conversion/InputRepresentation.h"
+#include "Conversion/Legend.h"
 #include "Conversion/OutputPieces.h"
 
 #include "vtkInformation.h"
@@ -28,4 +29,9 @@ int vtkStrataRepresentedInterfaces::RequestData(
     progress.stage("Cutting the interfaces", 0.0, 1.0);
     conversion::writeRepresentedSurfaces(strata::representedInterfaces(input.view, progress), input.view, output);
   });
+}
+
+std::string vtkStrataRepresentedInterfaces::GetLegend()
+{
+  return conversion::legendOf(this->GetOutputDataObject(0));
 }

@@ -10,11 +10,16 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkStrataFiltersModule.h" // for the export macro
 
+#include <string>
+
 class VTKSTRATAFILTERS_EXPORT vtkStrataRepresentedInterfaces : public vtkPolyDataAlgorithm
 {
 public:
   static vtkStrataRepresentedInterfaces* New();
   vtkTypeMacro(vtkStrataRepresentedInterfaces, vtkPolyDataAlgorithm);
+
+  /** What the numbers of the output's cell array `pair` stand for, a line "<number><tab><name>" each. */
+  std::string GetLegend();
 
 protected:
   vtkStrataRepresentedInterfaces() = default;

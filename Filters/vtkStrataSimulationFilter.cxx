@@ -2,6 +2,8 @@
 
 #include "SimulationFilterLists.h"
 
+#include "Conversion/Legend.h"
+
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 
@@ -65,4 +67,9 @@ void vtkStrataSimulationFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaterialIdArray: " << this->MaterialIdArray << "\n";
   os << indent << "RemainderMaterial: " << this->RemainderMaterial << "\n";
   os << indent << "MinimumVolumeFraction: " << this->MinimumVolumeFraction << "\n";
+}
+
+std::string vtkStrataSimulationFilter::GetMaterialNames()
+{
+  return strata::conversion::materialNamesOf(this->GetOutputDataObject(0));
 }

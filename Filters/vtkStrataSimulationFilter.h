@@ -51,6 +51,9 @@ public:
   vtkGetMacro(MinimumVolumeFraction, double);
   ///@}
 
+  /** The names of the materials that the last run found, "a, b, c". */
+  std::string GetMaterialNames();
+
 protected:
   vtkStrataSimulationFilter();
   ~vtkStrataSimulationFilter() override;

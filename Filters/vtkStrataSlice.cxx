@@ -5,7 +5,7 @@
 #include "Conversion/CaseData.h"
 #include "Conversion/Guarded.h"
 #include "Conversion/InputRepresentation.h"
-#include "Conversion/OutputSlice.h"
+#include "Conversion/OutputPolygons.h"
 
 #include "Slice/SliceIndex.h"
 
@@ -132,7 +132,7 @@ int vtkStrataSlice::RequestData(vtkInformation*, vtkInformationVector** inputs, 
       plane.offset = offset;
       vtkNew<vtkPolyData> one;
       progress.stage("Slicing", 0.0, 1.0);
-      conversion::writeSlice(strata::slice(mesh, plane, materials, this->State->index.get(), progress), mesh, one);
+      conversion::writePolygons(strata::slice(mesh, plane, materials, this->State->index.get(), progress), mesh, one);
       all->AddInputData(one);
     }
     if (this->SliceOffsets.size() == 1)

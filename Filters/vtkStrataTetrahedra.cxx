@@ -4,12 +4,15 @@
 #include "TetrahedraState.h"
 
 #include "Conversion/Guarded.h"
+#include "Conversion/Legend.h"
 #include "Conversion/OutputMesh.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <chrono>
 
 namespace conversion = strata::conversion;
 
@@ -109,6 +112,7 @@ int vtkStrataTetrahedra::RequestData(vtkInformation*, vtkInformationVector** inp
 {
   auto* output = vtkUnstructuredGrid::GetData(outputs);
   Internals& state = *this->State;
+  const auto start = std::chrono::steady_clock::now();
   state.achieved = {};
   const int done = conversion::guarded(this, output, [&](strata::Progress& progress) {
     Internals::Guard guard(state);
@@ -127,6 +131,7 @@ int vtkStrataTetrahedra::RequestData(vtkInformation*, vtkInformationVector** inp
   this->AchievedInterfaceError = state.achieved.interfaceError;
   this->BoundMet = done && output->GetNumberOfCells() > 0 && state.achieved.boundMet;
   this->NumberOfCells = output->GetNumberOfCells();
+  this->Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return done;
 }
 
@@ -149,4 +154,9 @@ void vtkStrataTetrahedra::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ViewDependent: " << this->ViewDependent << "\n";
   os << indent << "NumberOfCells: " << this->NumberOfCells << "\n";
   os << indent << "StoppedBy: " << this->GetStoppedBy() << "\n";
+}
+
+std::string vtkStrataTetrahedra::GetLegend()
+{
+  return conversion::legendOf(this->GetOutputDataObject(0));
 }

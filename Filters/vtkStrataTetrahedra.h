@@ -13,6 +13,8 @@
 #include "vtkStrataFiltersModule.h" // for the export macro
 #include "vtkStrataSimulationFilter.h"
 
+#include <string>
+
 class VTKSTRATAFILTERS_EXPORT vtkStrataTetrahedra : public vtkStrataSimulationFilter
 {
 public:
@@ -191,9 +193,14 @@ public:
   vtkGetMacro(NumberOfCells, vtkIdType);
   vtkGetMacro(BoundMet, bool);
   const char* GetStoppedBy() const;
+  /** Time that the last run took. */
+  vtkGetMacro(Seconds, double);
   /** How often the hierarchy was built anew since the filter was made. */
   vtkGetMacro(NumberOfBuilds, int);
   ///@}
+
+  /** What the numbers of the output's cell array `material` stand for, a line "<number><tab><name>" each. */
+  std::string GetLegend();
 
 protected:
   vtkStrataTetrahedra();
@@ -232,6 +239,7 @@ protected:
   double AchievedInterfaceError = 0.0;
   vtkIdType NumberOfCells = 0;
   bool BoundMet = false;
+  double Seconds = 0.0;
   int NumberOfBuilds = 0;
 
 private:

@@ -1,21 +1,15 @@
 #include "Slice/Slice.h"
 
-#include "Geometry/SharedPoints.h"
-#include "Model/CellDistances.h"
+#include "Model/Errors.h"
 #include "Slice/SliceCells.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
-#include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace strata
 {
 namespace
 {
-using Range = tbb::blocked_range<Index>;
-constexpr Index grain = 2048;
-
 void checkInput(const Representation& representation, const SlicePlane& plane, const SliceIndex* index)
 {
   if (!plane.normal.allFinite() || plane.normal.isZero(0.0))
@@ -34,55 +28,15 @@ void checkInput(const Representation& representation, const SlicePlane& plane, c
                        std::to_string(representation.cellCount));
   }
 }
-
-template<typename T>
-Buffer<T> bufferOf(const std::vector<T>& values)
-{
-  Buffer<T> result(static_cast<Index>(values.size()));
-  std::copy(values.begin(), values.end(), result.begin());
-  return result;
 }
 
-void writePoints(const Representation& representation, const std::vector<PointUse>& uses, const SharedPoints& shared,
-  SlicePolygons& result)
-{
-  const Index count = static_cast<Index>(shared.firstUse.size());
-  result.points = Buffer<double>(3 * count);
-  for (const Field& field : representation.fields)
-  {
-    result.values.emplace_back(field.components * count);
-  }
-  tbb::parallel_for(Range(0, count, grain), [&](const Range& range) {
-    for (Index point = range.begin(); point != range.end(); ++point)
-    {
-      const PointUse& use = uses[shared.firstUse[point]];
-      interpolatePosition(representation, use.point, &result.points[3 * point]);
-      for (std::size_t field = 0; field < representation.fields.size(); ++field)
-      {
-        const int components = representation.fields[field].components;
-        const float* values = representation.values[field][static_cast<std::size_t>(use.owner)];
-        interpolateField(values, components, use.point, &result.values[field][components * point]);
-      }
-    }
-  });
-}
-}
-
-SlicePolygons slice(const Representation& representation, const SlicePlane& plane, MaterialSet materials,
+MaterialPolygons slice(const Representation& representation, const SlicePlane& plane, MaterialSet materials,
   const SliceIndex* index, Progress& progress)
 {
   checkInput(representation, plane, index);
-  const SlicedCells cells = sliceCells(representation, plane, materials, index, progress);
-  const SharedPoints shared = sharePoints(cells.corners);
+  const PolygonUses cells = sliceCells(representation, plane, materials, index, progress);
   progress.check();
-  SlicePolygons result;
-  result.corners = bufferOf(shared.numbers);
-  result.offsets = Buffer<std::int64_t>(static_cast<Index>(cells.ends.size()) + 1);
-  result.offsets[0] = 0;
-  std::copy(cells.ends.begin(), cells.ends.end(), result.offsets.begin() + 1);
-  result.material = bufferOf(cells.material);
-  result.tetrahedron = bufferOf(cells.cell);
-  writePoints(representation, cells.corners, shared, result);
+  MaterialPolygons result = sharePolygons(representation, cells);
   progress.update(1.0);
   return result;
 }

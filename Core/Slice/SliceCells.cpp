@@ -82,7 +82,7 @@ private:
 };
 
 void sliceCell(const Representation& representation, const SignedPlane& plane, MaterialSet materials, Index cell,
-  Workspace& workspace, SlicedCells& result)
+  Workspace& workspace, PolygonUses& result)
 {
   const std::array<std::int64_t, 4> vertices = verticesOfCell(representation, cell);
   std::array<double, 4> planeValues;
@@ -113,37 +113,9 @@ void sliceCell(const Representation& representation, const SignedPlane& plane, M
     result.cell.push_back(cell);
   }
 }
-
-SlicedCells join(const std::vector<SlicedCells>& blocks)
-{
-  std::vector<std::size_t> firstCorner(1, 0);
-  std::vector<std::size_t> firstPolygon(1, 0);
-  for (const SlicedCells& block : blocks)
-  {
-    firstCorner.push_back(firstCorner.back() + block.corners.size());
-    firstPolygon.push_back(firstPolygon.back() + block.ends.size());
-  }
-  SlicedCells result;
-  result.corners.resize(firstCorner.back());
-  result.ends.resize(firstPolygon.back());
-  result.material.resize(firstPolygon.back());
-  result.cell.resize(firstPolygon.back());
-  tbb::parallel_for(std::size_t{ 0 }, blocks.size(), [&](std::size_t b) {
-    const SlicedCells& block = blocks[b];
-    const std::size_t polygon = firstPolygon[b];
-    std::copy(block.corners.begin(), block.corners.end(), result.corners.begin() + firstCorner[b]);
-    std::copy(block.material.begin(), block.material.end(), result.material.begin() + polygon);
-    std::copy(block.cell.begin(), block.cell.end(), result.cell.begin() + polygon);
-    for (std::size_t i = 0; i < block.ends.size(); ++i)
-    {
-      result.ends[polygon + i] = block.ends[i] + static_cast<std::int64_t>(firstCorner[b]);
-    }
-  });
-  return result;
-}
 }
 
-SlicedCells sliceCells(const Representation& representation, const SlicePlane& plane, MaterialSet materials,
+PolygonUses sliceCells(const Representation& representation, const SlicePlane& plane, MaterialSet materials,
   const SliceIndex* index, Progress& progress)
 {
   const SignedPlane signedPlane(representation, plane, index, progress);
@@ -151,7 +123,7 @@ SlicedCells sliceCells(const Representation& representation, const SlicePlane& p
   const Index count = index ? static_cast<Index>(near.size()) : representation.cellCount;
   const Index blockSize = index ? cutCellsPerBlock : cellsPerBlock;
   const Index blockCount = (count + blockSize - 1) / blockSize;
-  std::vector<SlicedCells> blocks(static_cast<std::size_t>(blockCount));
+  std::vector<PolygonUses> blocks(static_cast<std::size_t>(blockCount));
   tbb::enumerable_thread_specific<Workspace> workspaces;
   tbb::parallel_for(Range(0, blockCount, 1), [&](const Range& range) {
     Workspace& workspace = workspaces.local();
@@ -165,6 +137,6 @@ SlicedCells sliceCells(const Representation& representation, const SlicePlane& p
     }
   });
   progress.update(0.7);
-  return join(blocks);
+  return joinPolygons(blocks);
 }
 }

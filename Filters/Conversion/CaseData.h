@@ -26,6 +26,9 @@ constexpr const char* caseFractions = "strata_fraction_arrays";
 constexpr const char* caseFields = "strata_field_arrays";
 constexpr const char* positive = "positive_material";
 constexpr const char* negative = "negative_material";
+/// Cell arrays: the number of a surface's pair of materials, and a cell's material.
+constexpr const char* pair = "pair";
+constexpr const char* material = "material";
 /// The block of a case that holds the grid.
 constexpr const char* grid = "grid";
 }

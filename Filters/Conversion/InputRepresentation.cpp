@@ -180,4 +180,20 @@ MaterialSet chosenMaterials(const std::vector<std::string>& chosen, const Materi
   }
   return result;
 }
+
+FieldId chosenField(const std::string& name, const std::vector<Field>& fields)
+{
+  std::vector<std::string> known;
+  for (const Field& field : fields)
+  {
+    known.push_back(field.name);
+  }
+  const auto found = std::find(known.begin(), known.end(), name);
+  if (known.empty() || (!name.empty() && found == known.end()))
+  {
+    throw InvalidInput(
+      "There is no field '" + name + "' in the representation. Choose one of its fields: " + listed(known));
+  }
+  return FieldId(name.empty() ? 0 : found - known.begin());
+}
 }

@@ -24,4 +24,7 @@ RepresentationInput readRepresentation(vtkDataObject* data);
 
 /// The materials of these names; all with fields if no name is given. Throws InvalidInput for an unknown one.
 MaterialSet chosenMaterials(const std::vector<std::string>& chosen, const Materials& materials);
+
+/// The field of this name; the first one if the name is empty. Throws InvalidInput for an unknown one.
+FieldId chosenField(const std::string& name, const std::vector<Field>& fields);
 }

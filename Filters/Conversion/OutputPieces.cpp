@@ -1,6 +1,7 @@
 #include "Conversion/OutputPieces.h"
 
 #include "Conversion/CaseData.h"
+#include "Conversion/Legend.h"
 #include "Conversion/ValueConversion.h"
 
 #include <vtkCellArray.h>
@@ -90,6 +91,13 @@ void writeRepresentedSurfaces(RepresentedSurfaces&& surfaces, const Representati
   vtkNew<vtkCellArray> cells;
   cells->SetData(3, give<vtkTypeInt64Array>("", std::move(corners)));
   output->SetPolys(cells);
+  Buffer<std::int32_t> pairs(surfaces.positive.size());
+  for (Index i = 0; i < pairs.size(); ++i)
+  {
+    pairs[i] =
+      pairNumber(surfaces.positive[i], surfaces.negative[i], static_cast<int>(representation.materials.size()));
+  }
+  output->GetCellData()->AddArray(give<vtkIntArray>(names::pair, std::move(pairs)));
   output->GetCellData()->AddArray(give<vtkIntArray>(names::positive, std::move(surfaces.positive)));
   output->GetCellData()->AddArray(give<vtkIntArray>(names::negative, std::move(surfaces.negative)));
   output->GetCellData()->AddArray(give<vtkTypeInt64Array>("cell", std::move(surfaces.cell)));

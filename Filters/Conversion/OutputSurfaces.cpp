@@ -1,6 +1,7 @@
 #include "Conversion/OutputSurfaces.h"
 
 #include "Conversion/CaseData.h"
+#include "Conversion/Legend.h"
 #include "Conversion/ValueConversion.h"
 
 #include <vtkCellArray.h>
@@ -123,6 +124,8 @@ void labelSurface(vtkPolyData* surface, MaterialId positive, MaterialId negative
   const Index count = surface->GetNumberOfCells();
   surface->GetCellData()->AddArray(constant(names::positive, positive.value, count));
   surface->GetCellData()->AddArray(constant(names::negative, negative.value, count));
+  const int pair = pairNumber(positive.value, negative.value, static_cast<int>(materials.size()));
+  surface->GetCellData()->AddArray(constant(names::pair, pair, count));
   writeMaterials(materials, surface->GetFieldData());
 }
 

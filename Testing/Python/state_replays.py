@@ -11,7 +11,7 @@ import numpy
 
 TIME = 15.0
 FOLDER = Path(os.environ["STRATA_TEST_OUTPUT"]) / "state"
-FILTERS = ("interfaces", "tetrahedra", "slice", "pieces", "surfaces", "samples", "errors")
+FILTERS = ("interfaces", "tetrahedra", "slice", "contour", "pieces", "surfaces", "samples", "errors")
 
 
 def load_plugin():
@@ -32,6 +32,8 @@ def build():
     section = simple.MaterialSlice(
         registrationName="slice", Input=tetrahedra, SliceOffsetValues=[0.01],
         Materials=["projectile", "block", "empty"])
+    simple.MaterialContour(registrationName="contour", Input=tetrahedra, ContourBy=["POINTS", "density"],
+                           Isosurfaces=[9.0, 17.0])
     simple.ExtractMaterials(registrationName="pieces", Input=tetrahedra, Materials=["projectile"])
     simple.RepresentedInterfaces(registrationName="surfaces", Input=tetrahedra)
     simple.SampleRepresentation(registrationName="samples", Input=tetrahedra, Points=section)

@@ -13,18 +13,18 @@
 
 namespace strata::test
 {
-inline Vector pointOf(const SlicePolygons& polygons, Index corner)
+inline Vector pointOf(const MaterialPolygons& polygons, Index corner)
 {
   const Index point = polygons.corners[corner];
   return { polygons.points[3 * point], polygons.points[3 * point + 1], polygons.points[3 * point + 2] };
 }
 
-inline Index polygonCount(const SlicePolygons& polygons)
+inline Index polygonCount(const MaterialPolygons& polygons)
 {
   return polygons.material.size();
 }
 
-inline Vector areaOf(const SlicePolygons& polygons, Index polygon)
+inline Vector areaOf(const MaterialPolygons& polygons, Index polygon)
 {
   Vector sum = Vector::Zero();
   const Vector origin = pointOf(polygons, polygons.offsets[polygon]);
@@ -35,7 +35,7 @@ inline Vector areaOf(const SlicePolygons& polygons, Index polygon)
   return sum;
 }
 
-inline std::vector<double> areasByMaterial(const SlicePolygons& polygons, int materials)
+inline std::vector<double> areasByMaterial(const MaterialPolygons& polygons, int materials)
 {
   std::vector<double> result(materials, 0.0);
   for (Index p = 0; p < polygonCount(polygons); ++p)
@@ -105,7 +105,7 @@ inline SlicePlane planeOf(const Vector& origin, const Vector& normal)
   return plane;
 }
 
-inline SlicePolygons sliceAll(const Mesh& mesh, const SlicePlane& plane)
+inline MaterialPolygons sliceAll(const Mesh& mesh, const SlicePlane& plane)
 {
   Progress progress;
   return slice(view(mesh), plane, allMaterials(mesh), nullptr, progress);
@@ -133,7 +133,7 @@ inline SlicePlane randomPlane(int kind, int n, std::mt19937& random)
 }
 
 /// Net uses of undirected edges by position: 0 inside a surface without gap and overlap.
-inline std::map<std::array<double, 6>, int> edgeBalance(const SlicePolygons& polygons)
+inline std::map<std::array<double, 6>, int> edgeBalance(const MaterialPolygons& polygons)
 {
   std::map<std::array<double, 6>, int> balance;
   for (Index p = 0; p < polygonCount(polygons); ++p)
@@ -176,7 +176,7 @@ inline bool sameBytes(const Buffer<T>& a, const Buffer<T>& b)
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), sizeof(T) * static_cast<std::size_t>(a.size())) == 0;
 }
 
-inline void expectSameBytes(const SlicePolygons& a, const SlicePolygons& b)
+inline void expectSameBytes(const MaterialPolygons& a, const MaterialPolygons& b)
 {
   EXPECT_TRUE(sameBytes(a.points, b.points));
   EXPECT_TRUE(sameBytes(a.offsets, b.offsets));

@@ -24,7 +24,7 @@ TEST(Slice, AreasOfTheMaterialsSumToTheSectionOfTheBox)
     for (int i = 0; i < 6; ++i)
     {
       const SlicePlane plane = randomPlane(i % 2, n, random);
-      const SlicePolygons polygons = sliceAll(mesh, plane);
+      const MaterialPolygons polygons = sliceAll(mesh, plane);
       const double expected = sectionOfUnitCube(plane);
       const double area = total(areasByMaterial(polygons, materials));
       // A plane in a face of the cube is all or nothing by the sign rule; both are tested below.
@@ -45,7 +45,7 @@ TEST(Slice, APlaneAlongAnyLayerOfVerticesShowsItOnce)
       for (double sign : { 1.0, -1.0 })
       {
         const SlicePlane plane = planeOf(Vector::Constant(layer / static_cast<double>(n)), sign * Vector::Unit(axis));
-        const SlicePolygons polygons = sliceAll(mesh, plane);
+        const MaterialPolygons polygons = sliceAll(mesh, plane);
         EXPECT_NEAR(total(areasByMaterial(polygons, 3)), 1.0, 1e-13) << "axis " << axis << " layer " << layer;
         for (Index p = 0; p < polygonCount(polygons); ++p)
         {
@@ -63,7 +63,7 @@ TEST(Slice, PolygonsLieInThePlaneTurnedAlongItsNormalAndConvex)
   {
     const Mesh mesh = randomRegions(3, 4, seed % 2 ? RandomDistances::Ties : RandomDistances::Reals, seed);
     const SlicePlane plane = randomPlane(seed / 2 % 2, 3, random);
-    const SlicePolygons polygons = sliceAll(mesh, plane);
+    const MaterialPolygons polygons = sliceAll(mesh, plane);
     const Vector normal = plane.normal.normalized();
     for (Index p = 0; p < polygonCount(polygons); ++p)
     {
@@ -93,7 +93,7 @@ TEST(Slice, PolygonsLeaveNoGap)
     // Vertices of four layers lie exactly in planes, those of three layers but for rounding.
     const int n = 3 + seed / 4 % 2;
     const Mesh mesh = randomRegions(n, 1 + seed % 4, seed % 2 ? RandomDistances::Ties : RandomDistances::Reals, seed);
-    const SlicePolygons polygons = sliceAll(mesh, randomPlane(seed / 2 % 2, n, random));
+    const MaterialPolygons polygons = sliceAll(mesh, randomPlane(seed / 2 % 2, n, random));
     for (const auto& edge : edgeBalance(polygons))
     {
       ASSERT_TRUE(edge.second == 0 || onOneSideOfTheCube(edge.first)) << "seed " << seed;
@@ -104,7 +104,7 @@ TEST(Slice, PolygonsLeaveNoGap)
 TEST(Slice, PointsAreSharedWithinAMaterialAndNeverAcross)
 {
   const Mesh mesh = randomRegions(4, 3, RandomDistances::Reals, 9);
-  const SlicePolygons polygons = sliceAll(mesh, planeOf(Vector(0.4, 0.5, 0.6), Vector(1, 2, 3)));
+  const MaterialPolygons polygons = sliceAll(mesh, planeOf(Vector(0.4, 0.5, 0.6), Vector(1, 2, 3)));
   std::map<std::int64_t, std::int32_t> materialOfPoint;
   std::set<std::array<double, 4>> different;
   for (Index p = 0; p < polygonCount(polygons); ++p)
@@ -132,7 +132,7 @@ TEST(Slice, ASphereShowsADiscOfItsMaterial)
   setTwoMaterials(mesh, MaterialId(0), MaterialId(1), [&](const Vector& p) { return 0.3 - (p - center).norm(); });
   setValues(mesh, FieldId(0), MaterialId(0), [](const Vector& p, int) { return 1.0 + p[0]; });
   const SlicePlane plane = planeOf(center + Vector(0, 0, 0.1), Vector::UnitZ());
-  const SlicePolygons polygons = sliceAll(mesh, plane);
+  const MaterialPolygons polygons = sliceAll(mesh, plane);
   const std::vector<double> areas = areasByMaterial(polygons, 2);
   const double disc = 3.14159265358979323846 * (0.3 * 0.3 - 0.1 * 0.1);
   // The linear interpolation of the distance errs by h^2 / (8 r) or less along each of the directions.
@@ -144,7 +144,7 @@ TEST(Slice, FieldsAreThoseOfThePolygonsMaterial)
 {
   const int materials = 4;
   const Mesh mesh = randomRegions(3, materials, RandomDistances::Reals, 4);
-  const SlicePolygons polygons = sliceAll(mesh, planeOf(Vector(0.4, 0.5, 0.6), Vector(-1, 2, 1)));
+  const MaterialPolygons polygons = sliceAll(mesh, planeOf(Vector(0.4, 0.5, 0.6), Vector(-1, 2, 1)));
   ASSERT_EQ(polygons.values.size(), 2u);
   for (Index p = 0; p < polygonCount(polygons); ++p)
   {
@@ -174,7 +174,7 @@ TEST(Slice, ChosenMaterialsAreThoseOfTheWholeSlice)
   MaterialSet some = MaterialSet::of(MaterialId(1));
   some.insert(MaterialId(3));
   Progress progress;
-  const SlicePolygons polygons = slice(view(mesh), plane, some, nullptr, progress);
+  const MaterialPolygons polygons = slice(view(mesh), plane, some, nullptr, progress);
   const std::vector<double> all = areasByMaterial(sliceAll(mesh, plane), 4);
   const std::vector<double> chosen = areasByMaterial(polygons, 4);
   EXPECT_EQ(chosen, (std::vector<double>{ 0.0, all[1], 0.0, all[3] }));
@@ -186,8 +186,8 @@ TEST(Slice, TurningTheNormalOnlyTurnsThePolygons)
   const SlicePlane plane = planeOf(Vector(0.4, 0.5, 0.6), Vector(-1, 2, 1));
   SlicePlane turned = plane;
   turned.normal = -plane.normal;
-  const SlicePolygons polygons = sliceAll(mesh, plane);
-  const SlicePolygons back = sliceAll(mesh, turned);
+  const MaterialPolygons polygons = sliceAll(mesh, plane);
+  const MaterialPolygons back = sliceAll(mesh, turned);
   ASSERT_EQ(copyOf(polygons.material), copyOf(back.material));
   ASSERT_EQ(copyOf(polygons.tetrahedron), copyOf(back.tetrahedron));
   for (Index p = 0; p < polygonCount(polygons); ++p)
@@ -205,10 +205,10 @@ TEST(Slice, NeitherAnIndexNorTheNumberOfThreadsChangesAByte)
     const SlicePlane plane = randomPlane(seed / 2 % 2, 8, random);
     Progress progress;
     const SliceIndex index(view(mesh), progress);
-    const SlicePolygons two = sliceAll(mesh, plane);
-    const SlicePolygons indexed = slice(view(mesh), plane, allMaterials(mesh), &index, progress);
+    const MaterialPolygons two = sliceAll(mesh, plane);
+    const MaterialPolygons indexed = slice(view(mesh), plane, allMaterials(mesh), &index, progress);
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    const SlicePolygons single = sliceAll(mesh, plane);
+    const MaterialPolygons single = sliceAll(mesh, plane);
     expectSameBytes(two, single);
     expectSameBytes(two, indexed);
   }
@@ -219,7 +219,7 @@ TEST(Slice, AnOffsetMovesThePlaneAlongItsNormal)
   const Mesh mesh = randomRegions(3, 2, RandomDistances::Reals, 6);
   SlicePlane plane = planeOf(Vector::Zero(), Vector::UnitX());
   plane.offset = 0.25;
-  const SlicePolygons polygons = sliceAll(mesh, plane);
+  const MaterialPolygons polygons = sliceAll(mesh, plane);
   ASSERT_GT(polygons.points.size(), 0);
   for (Index point = 0; point < polygons.points.size() / 3; ++point)
   {
@@ -232,7 +232,7 @@ TEST(Slice, APlaneBesideTheBoxCutsNothing)
   const Mesh mesh = randomRegions(2, 2, RandomDistances::Reals, 6);
   for (double x : { -0.5, 1.5 })
   {
-    const SlicePolygons polygons = sliceAll(mesh, planeOf(Vector(x, 0, 0), Vector::UnitX()));
+    const MaterialPolygons polygons = sliceAll(mesh, planeOf(Vector(x, 0, 0), Vector::UnitX()));
     EXPECT_EQ(polygonCount(polygons), 0);
     EXPECT_EQ(polygons.points.size(), 0);
     ASSERT_EQ(polygons.offsets.size(), 1);

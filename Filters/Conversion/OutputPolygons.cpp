@@ -1,4 +1,4 @@
-#include "Conversion/OutputSlice.h"
+#include "Conversion/OutputPolygons.h"
 
 #include "Conversion/CaseData.h"
 #include "Conversion/ValueConversion.h"
@@ -16,7 +16,7 @@
 
 namespace strata::conversion
 {
-void writeSlice(SlicePolygons&& polygons, const Representation& representation, vtkPolyData* output)
+void writePolygons(MaterialPolygons&& polygons, const Representation& representation, vtkPolyData* output)
 {
   writeMaterials(representation.materials, output->GetFieldData());
   vtkNew<vtkPoints> points;
