@@ -4,6 +4,7 @@ The colours come with the filters, in the window and here alike: vtkSMStrataCate
 """
 import os
 
+import strata
 from paraview import simple
 
 TIME = 15.0
@@ -38,7 +39,9 @@ def check_categories(source, view, array, names):
 
 
 def check_fields(source, view):
-    display, _ = shown(source, view)
+    display = strata.show(source, view)
+    legend = simple.GetScalarBar(display.LookupTable, view)
+    expect(legend.Visibility == 1 and legend.Title == "density", "no legend")
     expect(list(display.ColorArrayName) == ["POINTS", "density"], f"coloured by {display.ColorArrayName}")
 
 

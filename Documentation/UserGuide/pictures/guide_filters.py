@@ -1,9 +1,7 @@
 """A picture for each reader and filter, of the impact at 15 microseconds."""
+import strata
 from guide_scene import *
 
-PAIR = "10*positive_material+negative_material"
-PAIR_NAMES = {1: "projectile / block", 2: "projectile / empty", 12: "block / empty"}
-PAIR_COLORS = [0.80, 0.25, 0.20, 0.95, 0.70, 0.20, 0.45, 0.60, 0.75]
 AXIS = ([0.1, 0.1, -16.0], [0.1, 0.1, 4.8])
 
 
@@ -19,15 +17,18 @@ def draw_case(case):
     save(view, "case-reader.png")
 
 
-def show_pairs(surfaces, view):
-    polygons = simple.MergeBlocks(Input=surfaces, OutputDataSetType="Polygonal Mesh")
-    pairs = simple.Calculator(Input=polygons, AttributeType="Cell Data", ResultArrayName="pair", Function=PAIR)
-    show_categories(pairs, view, "pair", PAIR_NAMES, PAIR_COLORS).Specular = 0.2
+def show_named(source, view):
+    """A filter's first view, as it comes, with the legend moved aside."""
+    display = strata.show(source, view)
+    legend(display.LookupTable, view, display.ColorArrayName[1], "%.0f")
+    bar = simple.GetScalarBar(display.LookupTable, view)
+    bar.TextPosition, bar.Position = "Ticks left/bottom, annotations right/top", [0.70, 0.30]
+    return display
 
 
 def draw_interfaces(interfaces):
     view = new_view(640, 560)
-    show_pairs(interfaces, view)
+    show_named(interfaces, view).Specular = 0.2
     look(view, zoom=1.1, **CRATER)
     save(view, "material-interfaces.png")
 
@@ -53,6 +54,21 @@ def draw_slice(tetrahedra, interfaces):
     show_lines(cut(interfaces), view, width=2.0, towards_viewer=0.03)
     look_at_plane(view, 7.2, -5.6, 10.8)
     save(view, "material-slice.png")
+
+
+def draw_contour(tetrahedra):
+    """Surfaces of equal density behind a plane, and the interfaces where it cuts them."""
+    view = new_view(640, 560)
+    surfaces = simple.MaterialContour(Input=tetrahedra, ContourBy=["POINTS", "density"],
+                                      Isosurfaces=[8.0, 8.5, 9.5, 10.5, 16.0, 17.5])
+    half = simple.Clip(Input=surfaces, ClipType="Plane", Invert=0)
+    half.ClipType.Origin, half.ClipType.Normal = [0.0, 0.4, 0.0], [0.0, 1.0, 0.0]
+    show_density(half, view).Diffuse = 0.6
+    outlines = simple.Slice(Input=simple.RepresentedInterfaces(Input=tetrahedra))
+    outlines.SliceType.Origin, outlines.SliceType.Normal = [0.0, 0.4, 0.0], [0.0, 1.0, 0.0]
+    show_lines(outlines, view, width=2.0)
+    look(view, zoom=1.1, **CRATER)
+    save(view, "material-contour.png")
 
 
 def draw_pieces(tetrahedra):
@@ -122,6 +138,7 @@ def draw(case, interfaces):
     draw_interfaces(interfaces)
     draw_tetrahedra(tetrahedra)
     draw_slice(tetrahedra, interfaces)
+    draw_contour(tetrahedra)
     draw_pieces(tetrahedra)
     draw_represented(tetrahedra)
     draw_samples(case, tetrahedra)
