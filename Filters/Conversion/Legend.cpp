@@ -76,7 +76,7 @@ std::string pairsLegend(const Materials& materials, const std::set<int>& present
       const int pair = pairNumber(a, b, count);
       if (count * (count - 1) / 2 <= fewPairs || present.count(pair) > 0)
       {
-        lines << pair << "\t" << materials[static_cast<std::size_t>(a)].name << "|"
+        lines << pair << "\t" << materials[static_cast<std::size_t>(a)].name << " / "
               << materials[static_cast<std::size_t>(b)].name << "\n";
       }
     }

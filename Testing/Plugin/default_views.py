@@ -9,7 +9,7 @@ from paraview import simple
 
 TIME = 15.0
 MATERIALS = {"0": "projectile", "1": "block", "2": "empty"}
-PAIRS = {"0": "projectile|block", "1": "projectile|empty", "2": "block|empty"}
+PAIRS = {"0": "projectile / block", "1": "projectile / empty", "2": "block / empty"}
 
 
 def expect(condition, text):
