@@ -57,17 +57,14 @@ def draw_slice(tetrahedra, interfaces):
 
 
 def draw_contour(tetrahedra):
-    """Surfaces of equal density behind a plane, and the interfaces where it cuts them."""
+    """Surfaces of equal density, within the interfaces as glass."""
     view = new_view(640, 560)
-    surfaces = simple.MaterialContour(Input=tetrahedra, ContourBy=["POINTS", "density"],
-                                      Isosurfaces=[8.0, 8.5, 9.5, 10.5, 16.0, 17.5])
-    half = simple.Clip(Input=surfaces, ClipType="Plane", Invert=0)
-    half.ClipType.Origin, half.ClipType.Normal = [0.0, 0.4, 0.0], [0.0, 1.0, 0.0]
-    show_density(half, view).Diffuse = 0.6
-    outlines = simple.Slice(Input=simple.RepresentedInterfaces(Input=tetrahedra))
-    outlines.SliceType.Origin, outlines.SliceType.Normal = [0.0, 0.4, 0.0], [0.0, 1.0, 0.0]
-    show_lines(outlines, view, width=2.0)
-    look(view, zoom=1.1, **CRATER)
+    show_density(simple.MaterialContour(Input=tetrahedra, ContourBy=["POINTS", "density"],
+                                        Isosurfaces=[9.0, 9.3, 9.6, 16.0]), view).Diffuse = 0.5
+    glass = simple.Show(simple.RepresentedInterfaces(Input=tetrahedra), view)
+    glass.Representation, glass.ColorArrayName = "Surface", [None, ""]
+    glass.AmbientColor, glass.Opacity, glass.Ambient = [0.5, 0.5, 0.5], 0.25, 0.5
+    look(view, zoom=0.95, **CRATER)
     save(view, "material-contour.png")
 
 
