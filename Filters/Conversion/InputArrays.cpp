@@ -46,6 +46,13 @@ const std::vector<Index>& sources(const InputGrid& input, Association associatio
   return association == Association::Cells ? input.cellSource : input.pointSource;
 }
 
+/// Cells or points of all blocks together.
+Index totalOf(const InputGrid& input, Association association)
+{
+  const InputBlock& last = input.blocks.back();
+  return association == Association::Cells ? last.cellOffset + last.cellCount : last.pointOffset + last.pointCount;
+}
+
 /// Calls `copy(block number, position in block, position in result)` for each cell or point of the grid.
 template<typename Function>
 void forEachSource(const InputGrid& input, Association association, const Function& copy)
@@ -55,7 +62,8 @@ void forEachSource(const InputGrid& input, Association association, const Functi
     return association == Association::Cells ? input.blocks[b].cellOffset : input.blocks[b].pointOffset;
   };
   const std::vector<Index>& source = sources(input, association);
-  for (std::size_t i = 0; i < source.size(); ++i)
+  const Index end = totalOf(input, association);
+  for (std::size_t i = 0; i < source.size() && source[i] < end; ++i)
   {
     while (block + 1 < input.blocks.size() && source[i] >= offset(block + 1))
     {
@@ -67,9 +75,10 @@ void forEachSource(const InputGrid& input, Association association, const Functi
 
 /// The values of all blocks' arrays; NaN in blocks that have none.
 template<typename T>
-ValueArray gathered(
-  const InputGrid& input, Association association, const std::vector<ValueArray>& parts, int components)
+ValueArray gathered(const InputGrid& input, Association association, const BlockArrays& arrays)
 {
+  const int components = arrays.components;
+  const std::vector<ValueArray>& parts = arrays.parts;
   std::vector<T> result(sources(input, association).size() * static_cast<std::size_t>(components));
   forEachSource(input, association, [&](std::size_t block, Index from, std::size_t to) {
     for (int c = 0; c < components; ++c)
@@ -78,6 +87,20 @@ ValueArray gathered(
         parts[block] ? static_cast<T>(parts[block](from, c)) : std::numeric_limits<T>::quiet_NaN();
     }
   });
+  const Index end = totalOf(input, association);
+  for (std::size_t i = sources(input, association).size(); association == Association::Points && i-- > 0;)
+  {
+    const Index source = input.pointSource[i];
+    if (source < end)
+    {
+      break; // blended points come last
+    }
+    for (int c = 0; c < components; ++c)
+    {
+      result[i * static_cast<std::size_t>(components) + static_cast<std::size_t>(c)] =
+        static_cast<T>(valueAt(input, arrays, source, c));
+    }
+  }
   return ownedValues(std::move(result), components);
 }
 }
@@ -109,34 +132,58 @@ const ArrayInfo* find(const std::vector<ArrayInfo>& arrays, const std::string& n
   return at == arrays.end() ? nullptr : &*at;
 }
 
-ValueArray values(const InputGrid& input, Association association, const std::string& name, Warnings* gaps)
+double valueAt(const InputGrid& input, const BlockArrays& arrays, Index point, int component)
+{
+  const Index end = totalOf(input, Association::Points);
+  if (point >= end)
+  {
+    double sum = 0.0;
+    for (const auto& [node, weight] : input.blends[static_cast<std::size_t>(point - end)])
+    {
+      sum += weight * valueAt(input, arrays, node, component);
+    }
+    return sum;
+  }
+  const auto after = std::upper_bound(input.blocks.begin(), input.blocks.end(), point,
+    [](Index position, const InputBlock& block) { return position < block.pointOffset; });
+  const auto block = static_cast<std::size_t>(std::prev(after) - input.blocks.begin());
+  return arrays.parts[block] ? arrays.parts[block](point - input.blocks[block].pointOffset, component)
+                             : std::numeric_limits<double>::quiet_NaN();
+}
+
+BlockArrays blockArrays(const InputGrid& input, Association association, const std::string& name, Warnings* gaps)
 {
   const std::vector<ArrayInfo> infos = arraysOf(input, association);
   const ArrayInfo* info = find(infos, name);
-  std::vector<ValueArray> parts;
-  bool floats = true;
+  BlockArrays result;
+  result.components = info ? info->components : 1;
   for (const InputBlock& block : input.blocks)
   {
     if (gaps && info && !attributes(block, association)->HasArray(name.c_str()))
     {
       gaps->push_back(describeMissing(block, association, name) + ": the field is unknown there");
-      parts.emplace_back();
+      result.parts.emplace_back();
       continue;
     }
     vtkDataArray* array = arrayOf(block, association, name);
-    floats = floats && array->GetDataType() == VTK_FLOAT;
-    parts.push_back(valuesOf(array));
-    if (parts.back().components() != info->components)
+    result.floats = result.floats && array->GetDataType() == VTK_FLOAT;
+    result.parts.push_back(valuesOf(array));
+    if (result.parts.back().components() != info->components)
     {
       throw InvalidInput("The array '" + name + "'" + block.name + " has another number of components than elsewhere");
     }
   }
+  return result;
+}
+
+ValueArray values(const InputGrid& input, Association association, const std::string& name, Warnings* gaps)
+{
+  const BlockArrays arrays = blockArrays(input, association, name, gaps);
   if (sources(input, association).empty())
   {
-    return parts.front();
+    return arrays.parts.front();
   }
-  return floats ? gathered<float>(input, association, parts, info->components)
-                : gathered<double>(input, association, parts, info->components);
+  return arrays.floats ? gathered<float>(input, association, arrays) : gathered<double>(input, association, arrays);
 }
 
 std::vector<std::int64_t> integers(const InputGrid& input, const std::string& cellArray)

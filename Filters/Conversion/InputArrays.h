@@ -24,6 +24,22 @@ std::vector<ArrayInfo> arraysOf(const InputGrid& input, Association association)
 /// The entry of that name, or null.
 const ArrayInfo* find(const std::vector<ArrayInfo>& arrays, const std::string& name);
 
+/// The arrays of one name of all blocks; null where a block has none.
+struct BlockArrays
+{
+  std::vector<ValueArray> parts;
+  int components = 1;
+  bool floats = true;
+};
+
+/// The blocks' arrays of that name; throws and warns as `values` does.
+BlockArrays blockArrays(
+  const InputGrid& input, Association association, const std::string& name, Warnings* gaps = nullptr);
+
+/// A component at a point of the blocks, or at one that others make up (InputGrid::blends), by its place in the
+/// concatenation of all blocks' points.
+double valueAt(const InputGrid& input, const BlockArrays& arrays, Index point, int component);
+
 /// An array's values, one tuple per cell or point of the grid. Throws InvalidInput where a block has it with
 /// another number of tuples or components, or lacks it; with `gaps`, its values in a block that lacks it are NaN
 /// and there is a warning that names the block.

@@ -1,19 +1,18 @@
 #include "Conversion/InputFields.h"
 
+#include "Conversion/CurvedValues.h"
+#include "Conversion/DefaultField.h"
 #include "Conversion/InputArrays.h"
 #include "Conversion/MaterialNames.h"
 #include "Conversion/ValueConversion.h"
 
 #include <algorithm>
-#include <array>
+#include <sstream>
 
 namespace strata::conversion
 {
 namespace
 {
-/// What is taken where nobody says which field, in this order.
-constexpr std::array<const char*, 3> defaultFields = { "density", "Density", "rho" };
-
 /// A field and its arrays: one per material, or "" where it has none of its own, and one for all.
 struct FieldPlan
 {
@@ -69,7 +68,17 @@ public:
     return name.empty() || at == plans_.end() ? nullptr : &*at;
   }
 
-  const FieldPlan* firstFloating() const { return floating_.empty() ? nullptr : find(floating_.front()); }
+  /// The fields that have values of a floating type.
+  std::vector<FieldPlan> floating() const
+  {
+    std::vector<FieldPlan> result;
+    std::copy_if(plans_.begin(), plans_.end(), std::back_inserter(result), [&](const FieldPlan& plan) {
+      return contains(floating_, plan.shared) ||
+             std::any_of(plan.perMaterial.begin(), plan.perMaterial.end(),
+               [&](const std::string& array) { return contains(floating_, array); });
+    });
+    return result;
+  }
 
 private:
   static bool isService(const std::string& name) { return name.compare(0, 3, "vtk") == 0; }
@@ -196,35 +205,41 @@ std::vector<FieldPlan> selected(const std::vector<FieldPlan>& plans, const std::
   return result;
 }
 
+int orderOf(const FieldPlan& plan, bool mixedMaterials)
+{
+  const bool ownArrays = std::any_of(
+    plan.perMaterial.begin(), plan.perMaterial.end(), [](const std::string& array) { return !array.empty(); });
+  return defaultOrder({ plan.name, ownArrays, mixedMaterials });
+}
+
+/// The field that is taken where nobody says which: the active scalars', else the first by its name; none if there
+/// are none.
+std::vector<FieldPlan> defaultPlan(
+  const std::vector<FieldPlan>& plans, const FieldPlan* active, const Simulation& simulation)
+{
+  const bool mixed = !simulation.fractions.empty();
+  if (active && orderOf(*active, mixed) < lastDefaultOrder)
+  {
+    return { *active };
+  }
+  const auto first = std::min_element(plans.begin(), plans.end(),
+    [&](const FieldPlan& a, const FieldPlan& b) { return orderOf(a, mixed) < orderOf(b, mixed); });
+  return first == plans.end() ? std::vector<FieldPlan>{} : std::vector<FieldPlan>{ *first };
+}
+
 std::vector<FieldPlan> plansFor(const InputGrid& input, const CaseDescription& description,
-  const SimulationOptions& options, const MaterialRoles& roles, const Materials& materials)
+  const SimulationOptions& options, const MaterialRoles& roles, const Simulation& simulation)
 {
   const bool isCase = !description.fields.empty() && options.volumeFractionArrays.empty();
-  const FieldCatalogue catalogue(input, materials, roles);
-  const std::vector<FieldPlan> plans = isCase ? plansOfCase(input, description, materials) : catalogue.plans();
+  const FieldCatalogue catalogue(input, simulation.materials, roles);
+  const std::vector<FieldPlan> plans =
+    isCase ? plansOfCase(input, description, simulation.materials) : catalogue.plans();
   if (!options.fieldArrays.empty())
   {
     return selected(plans, options.fieldArrays);
   }
-  const auto has = [&](const std::string& name) { return contains(namesOf(plans), name); };
-  const FieldPlan* active = catalogue.find(activeScalars(input));
-  if (!isCase && active)
-  {
-    return { *active };
-  }
-  for (const char* name : defaultFields)
-  {
-    if (has(name))
-    {
-      return selected(plans, { name });
-    }
-  }
-  if (isCase)
-  {
-    return { plans.front() };
-  }
-  const FieldPlan* first = catalogue.firstFloating();
-  return first ? std::vector<FieldPlan>{ *first } : std::vector<FieldPlan>{};
+  return isCase ? defaultPlan(plans, nullptr, simulation)
+                : defaultPlan(catalogue.floating(), catalogue.find(activeScalars(input)), simulation);
 }
 
 /// Which materials have fields: those that the user or the case says, else all but empty space.
@@ -264,39 +279,100 @@ void settleMaterials(const CaseDescription& description, const SimulationOptions
   }
 }
 
-SimulationField fieldOf(const InputGrid& input, const FieldPlan& plan, const Materials& materials, Warnings& warnings)
+/// A field's arrays as the materials have them.
+class FieldValues
+{
+public:
+  FieldValues(const InputGrid& input, const FieldPlan& plan, const Simulation& simulation, Warnings& warnings) :
+    input_(input), plan_(plan), simulation_(simulation), warnings_(warnings)
+  {}
+
+  /// An array's values for a material. On curved cells a point may have another value for each material.
+  ValueArray of(const std::string& array, std::size_t material)
+  {
+    if (plan_.association == Association::Points && !input_.curved.empty())
+    {
+      return onCurvedCells(array, material);
+    }
+    if (!values_ || array != read_)
+    {
+      values_ = values(input_, plan_.association, array, &warnings_);
+      read_ = array;
+    }
+    return values_;
+  }
+
+  /// Says what curved cells and values that cells don't share come to.
+  void warn() const
+  {
+    std::ostringstream text;
+    if (jump_ > 0.0)
+    {
+      text << "'" << plan_.name << "' differs by up to " << jump_
+           << " between cells of one material where they meet; the mean is taken";
+      warnings_.push_back(text.str());
+    }
+    if (deviation_ > 0.0)
+    {
+      std::ostringstream curved;
+      curved << "'" << plan_.name << "' in the curved cells lies within " << deviation_ << " of its linear pieces";
+      warnings_.push_back(curved.str());
+    }
+  }
+
+private:
+  ValueArray onCurvedCells(const std::string& array, std::size_t material)
+  {
+    const bool isNew = array != read_;
+    const BlockArrays arrays = blockArrays(input_, Association::Points, array, isNew ? &warnings_ : nullptr);
+    if (isNew)
+    {
+      deviation_ = std::max(deviation_, curvedDeviation(input_, arrays));
+      read_ = array;
+    }
+    CurvedValues found = curvedValues(input_, arrays, simulation_.materialIds, static_cast<std::int32_t>(material));
+    jump_ = std::max(jump_, found.largestJump);
+    return std::move(found.values);
+  }
+
+  const InputGrid& input_;
+  const FieldPlan& plan_;
+  const Simulation& simulation_;
+  Warnings& warnings_;
+  std::string read_;
+  ValueArray values_;
+  double jump_ = 0.0;
+  double deviation_ = 0.0;
+};
+
+SimulationField fieldOf(const InputGrid& input, const FieldPlan& plan, const Simulation& simulation, Warnings& warnings)
 {
   SimulationField field;
   field.name = plan.name;
   field.association = plan.association;
+  field.components = 0;
   const bool separate = std::any_of(
     plan.perMaterial.begin(), plan.perMaterial.end(), [](const std::string& array) { return !array.empty(); });
-  const ValueArray shared = separate ? ValueArray() : values(input, plan.association, plan.shared, &warnings);
-  field.components = separate ? 0 : shared.components();
-  for (std::size_t m = 0; m < materials.size(); ++m)
+  FieldValues arrays(input, plan, simulation, warnings);
+  for (std::size_t m = 0; m < simulation.materials.size(); ++m)
   {
     field.values.emplace_back();
-    if (!materials[m].hasFields)
+    const std::string& array = separate ? plan.perMaterial[m] : plan.shared;
+    if (!simulation.materials[m].hasFields || array.empty())
     {
       continue;
     }
-    if (!separate)
+    field.values.back() = arrays.of(array, m);
+    const int components = field.values.back().components();
+    if (field.components != 0 && components != field.components)
     {
-      field.values.back() = shared;
+      throw InvalidInput("The array '" + array + "' has " + std::to_string(components) +
+                         " components; other materials' arrays of '" + plan.name + "' have " +
+                         std::to_string(field.components));
     }
-    else if (!plan.perMaterial[m].empty())
-    {
-      field.values.back() = values(input, plan.association, plan.perMaterial[m], &warnings);
-      const int components = field.values.back().components();
-      if (field.components != 0 && components != field.components)
-      {
-        throw InvalidInput("The array '" + plan.perMaterial[m] + "' has " + std::to_string(components) +
-                           " components; other materials' arrays of '" + plan.name + "' have " +
-                           std::to_string(field.components));
-      }
-      field.components = components;
-    }
+    field.components = components;
   }
+  arrays.warn();
   field.components = std::max(field.components, 1);
   return field;
 }
@@ -305,11 +381,11 @@ SimulationField fieldOf(const InputGrid& input, const FieldPlan& plan, const Mat
 void readFields(const InputGrid& input, const CaseDescription& description, const SimulationOptions& options,
   const MaterialRoles& roles, Simulation& simulation, Warnings& warnings)
 {
-  const std::vector<FieldPlan> plans = plansFor(input, description, options, roles, simulation.materials);
+  const std::vector<FieldPlan> plans = plansFor(input, description, options, roles, simulation);
   settleMaterials(description, options, plans, simulation.materials);
   for (std::size_t f = 0; f < plans.size() && options.readFields; ++f)
   {
-    simulation.fields.push_back(fieldOf(input, plans[f], simulation.materials, warnings));
+    simulation.fields.push_back(fieldOf(input, plans[f], simulation, warnings));
   }
 }
 }

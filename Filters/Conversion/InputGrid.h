@@ -1,11 +1,15 @@
 #pragma once
 
+#include "Conversion/CurvedCells.h"
+
 #include "Model/Errors.h"
 #include "Model/Grid.h"
 
 #include <vtkSmartPointer.h>
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkDataObject;
@@ -26,6 +30,16 @@ struct InputBlock
   Index pointCount = 0;
 };
 
+/// A point of the grid that is none of the blocks': weights of points in the concatenation of the blocks' points.
+using BlendedPoint = std::vector<std::pair<Index, double>>;
+
+/// A curved cell that linear pieces stand for; its nodes as points in the concatenation of the blocks' points.
+struct CurvedCell
+{
+  std::shared_ptr<const CurvedPattern> pattern;
+  std::vector<Index> nodes;
+};
+
 /// The simulation's grid and where its cells and points come from.
 struct InputGrid
 {
@@ -35,6 +49,15 @@ struct InputGrid
   /// Empty where the grid has exactly the cells (points) of one block.
   std::vector<Index> cellSource;
   std::vector<Index> pointSource;
+  /// Points beyond the concatenation of the blocks' points: number `points of all blocks + i` in `pointSource` is
+  /// `blends[i]`.
+  std::vector<BlendedPoint> blends;
+  /// The curved cells; where there are any, the point that each of the grid's corners had before points that
+  /// coincide became one: fields may differ between cells that meet there.
+  std::vector<CurvedCell> curved;
+  std::vector<Index> cornerSource;
+  /// The largest distance between a curved cell and its pieces, where it is bounded.
+  double placeDeviation = 0.0;
   /// Space in the box that no cell fills, or may not fill.
   bool hasOutside = false;
   Warnings warnings;

@@ -7,6 +7,7 @@
 
 #include <vtkDataSetAttributes.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <sstream>
@@ -48,6 +49,11 @@ Index UnstructuredBuilder::global(Index source, Index point) const
   return block.pointOffset + point;
 }
 
+void UnstructuredBuilder::checkPoints(Index source, const Index* points, Index pointCount) const
+{
+  std::for_each(points, points + pointCount, [&](Index point) { global(source, point); });
+}
+
 void UnstructuredBuilder::finishCell(CellShape shape, Index source)
 {
   grid_.shapes.push_back(shape);
@@ -86,8 +92,79 @@ void UnstructuredBuilder::add(const CellKind& kind, Index source, const Index* p
   {
     grid_.corners.push_back(global(source, points[corner]));
   }
-  linearized_ += kind.use == CellKind::Use::Linearized;
   finishCell(kind.shape, source);
+}
+
+Index UnstructuredBuilder::blended(const NodeWeights& weights, const std::vector<Index>& nodes)
+{
+  if (weights.size() == 1)
+  {
+    return nodes[static_cast<std::size_t>(weights.front().first)];
+  }
+  BlendedPoint blend;
+  for (const auto& [node, weight] : weights)
+  {
+    blend.emplace_back(nodes[static_cast<std::size_t>(node)], weight);
+  }
+  blends_.push_back(std::move(blend));
+  // Its place in the list of points is known once all blocks' points are: till then, below 0.
+  return -static_cast<Index>(blends_.size());
+}
+
+void UnstructuredBuilder::addCurved(
+  const std::shared_ptr<const CurvedPattern>& pattern, Index source, const Index* points)
+{
+  CurvedCell cell{ pattern, {} };
+  for (int node = 0; node < pattern->nodeCount; ++node)
+  {
+    cell.nodes.push_back(global(source, points[node]));
+  }
+  std::vector<Index> lattice;
+  for (const NodeWeights& weights : pattern->points)
+  {
+    lattice.push_back(blended(weights, cell.nodes));
+  }
+  for (const CurvedPattern::Piece& piece : pattern->pieces)
+  {
+    for (const int corner : piece.corners)
+    {
+      grid_.corners.push_back(lattice[static_cast<std::size_t>(corner)]);
+    }
+    finishCell(piece.shape, source);
+  }
+  curved_.push_back(std::move(cell));
+  weld_ = true;
+}
+
+void UnstructuredBuilder::resolveBlends(InputGrid& result)
+{
+  if (curved_.empty())
+  {
+    return;
+  }
+  const Index first = grid_.pointCount();
+  for (Index& corner : grid_.corners)
+  {
+    corner = corner < 0 ? first - 1 - corner : corner;
+  }
+  for (const BlendedPoint& blend : blends_)
+  {
+    Vector place = Vector::Zero();
+    for (const auto& [point, weight] : blend)
+    {
+      place += weight * grid_.points[static_cast<std::size_t>(point)];
+    }
+    grid_.points.push_back(place);
+  }
+  for (const CurvedCell& cell : curved_)
+  {
+    result.placeDeviation = std::max(result.placeDeviation, deviationBound(*cell.pattern, [&](int node) {
+      return grid_.points[static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(node)])];
+    }));
+  }
+  result.cornerSource = grid_.corners;
+  result.blends = std::move(blends_);
+  result.curved = std::move(curved_);
 }
 
 void UnstructuredBuilder::addPolyhedron(
@@ -198,10 +275,20 @@ void UnstructuredBuilder::warn(InputGrid& result) const
     result.warnings.push_back(
       std::to_string(ignored_) + " cells without volume (vertices, lines, surfaces) are ignored");
   }
-  if (linearized_ > 0)
+  if (straightened_ > 0)
   {
     result.warnings.push_back(
-      std::to_string(linearized_) + " curved cells are taken as straight cells between their corners");
+      std::to_string(straightened_) + " curved cells are taken as straight cells between their corners");
+  }
+  if (!result.curved.empty())
+  {
+    const bool bounded = std::all_of(result.curved.begin(), result.curved.end(),
+      [](const CurvedCell& cell) { return !cell.pattern->deviation.empty(); });
+    std::ostringstream text;
+    text << result.curved.size() << " curved cells are taken as linear ones between their nodes, which lie within "
+         << result.placeDeviation << " of them"
+         << (bounded ? "" : "; those of some types (pyramids, high degrees, rational weights) are not bounded");
+    result.warnings.push_back(text.str());
   }
 }
 
@@ -210,13 +297,13 @@ InputGrid UnstructuredBuilder::finish()
   InputGrid result;
   result.blocks = std::move(blocks_);
   result.cellSource = std::move(cellSource_);
+  resolveBlends(result);
   warn(result);
   if (grid_.cellCount() == 0)
   {
     throw InvalidInput("The grid has no visible cells with a volume");
   }
   checkFinite(result);
-  weld_ = weld_ || linearized_ > 0;
   compactPoints(result);
   orientWedges(grid_);
   result.grid = std::move(grid_);
