@@ -23,7 +23,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Fields, or arrays of fields, to represent; none: the active scalars' field, or `density` (`rho`), or the first. */
+  /** Fields, or arrays of fields, to represent; none: the active scalars' field, else by its name (User guide). */
   void AddFieldArray(const char* name);
   void ClearFieldArrays();
   ///@}

@@ -63,8 +63,18 @@ std::array<int, 3> degreesOf(int type, vtkCell* cell)
   return { 2, 2, type == VTK_QUADRATIC_LINEAR_WEDGE ? 1 : 2 };
 }
 
-NodeWeights weightsAt(vtkCell* cell, const Parameters& parameters)
+/// VTK's parameters of the pyramid of 19 nodes are coordinates in a straight one with its base at 1/2.
+Parameters inStraightPyramid(const Parameters& p)
 {
+  return { p[0] + p[2] * (0.5 - p[0]), p[1] + p[2] * (0.5 - p[1]), 0.5 + 0.5 * p[2] };
+}
+
+NodeWeights weightsAt(vtkCell* cell, Parameters parameters)
+{
+  if (cell->GetCellType() == VTK_TRIQUADRATIC_PYRAMID)
+  {
+    parameters = inStraightPyramid(parameters);
+  }
   std::vector<double> weights(static_cast<std::size_t>(cell->GetNumberOfPoints()), 0.0);
   cell->InterpolateFunctions(parameters.data(), weights.data());
   NodeWeights result;

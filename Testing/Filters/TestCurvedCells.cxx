@@ -87,9 +87,8 @@ vtkSmartPointer<vtkUnstructuredGrid> oneCell(const CurvedType& kind, const Map& 
   for (int node = 0; node < kind.nodes; ++node)
   {
     const double* p = parameters + 3 * node;
-    // A pyramid's sections all have parameters from 0 to 1.
-    const bool isPyramid = kind.type == VTK_QUADRATIC_PYRAMID || kind.type == VTK_TRIQUADRATIC_PYRAMID;
-    const double width = isPyramid ? 1.0 - p[2] : 1.0;
+    // The sections of this pyramid all have parameters from 0 to 1.
+    const double width = kind.type == VTK_QUADRATIC_PYRAMID ? 1.0 - p[2] : 1.0;
     const Vector place = map(Vector(width * p[0], width * p[1], p[2]));
     ids.push_back(points->InsertNextPoint(place.data()));
   }
