@@ -10,7 +10,7 @@ namespace strata::benchmarks
 inline Level buildLevel(HierarchyBuilder& builder, const ErrorBounds& bounds, Progress& progress)
 {
   const Criterion criterion(bounds, {}, BuildOptions().maximumLevel);
-  Front front(builder.hierarchy());
+  Front front(builder.hierarchy(), false);
   for (;;)
   {
     const std::vector<DiamondId> missing =

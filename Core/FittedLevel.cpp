@@ -20,7 +20,7 @@ class Fitting
 public:
   Fitting(HierarchyBuilder& builder, const ErrorBounds& bounds, const FitOptions& options, Progress& progress) :
     builder_(builder), bounds_(bounds), options_(options), progress_(progress),
-    criterion_(bounds, {}, options.maximumLevel), front_(builder.hierarchy())
+    criterion_(bounds, {}, options.maximumLevel), front_(builder.hierarchy(), false)
   {}
 
   FittedLevel run()
@@ -34,7 +34,7 @@ public:
       measure();
       std::vector<CellId> tooCoarse;
       std::copy_if(cells_.begin(), cells_.end(), std::back_inserter(tooCoarse),
-        [&](CellId c) { return criterion_.mustSplit(values_.cell(c), criterion_.ratio(values_, c), 1.0); });
+        [&](CellId c) { return criterion_.mustSplit(values_, c, 1.0); });
       if (tooCoarse.empty())
       {
         return { std::move(values_), front_.level(builder_.hierarchy()) };

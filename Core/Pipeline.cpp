@@ -158,16 +158,19 @@ std::vector<ExtraValues> extraValues(
 void closeRegions(
   const HierarchyBuilder& builder, const Hierarchy& values, Level& level, LevelCells& cells, Progress& progress)
 {
+  std::vector<std::uint8_t> changed;
   for (;;)
   {
-    const std::vector<MissingMaterial> missing = missingMaterials(values, level, cells, progress);
+    const std::vector<MissingMaterial> missing = missingMaterials(values, level, cells, changed, progress);
     if (missing.empty())
     {
       return;
     }
+    changed.assign(cells.vertices.size(), 0);
     for (const MissingMaterial& m : missing)
     {
       cells.needs[static_cast<std::size_t>(m.number)].insert(m.material);
+      changed[static_cast<std::size_t>(m.number)] = 1;
     }
     std::vector<ExtraValues> extra = extraValues(builder, missing, progress);
     const auto known = static_cast<std::ptrdiff_t>(level.extra.size());
@@ -232,7 +235,9 @@ void Multiresolution::State::grow(
 Level Multiresolution::State::selectDirect(const SelectOptions& select, Progress& progress)
 {
   const Criterion criterion(select.bounds, select.interest, options.maximumLevel);
-  Front fitting(hierarchy());
+  const bool everythingFits = select.maximumNumberOfCells == std::numeric_limits<Index>::max();
+  const bool resumable = !everythingFits || !select.interest.everything();
+  Front fitting(hierarchy(), resumable);
   const auto fits = [&](double scale) {
     Front finer = fitting;
     grow(finer, criterion, scale, select.maximumNumberOfCells, progress);
@@ -249,7 +254,7 @@ Level Multiresolution::State::selectDirect(const SelectOptions& select, Progress
     smallestScale(fits);
   }
   Level level = fitting.level(hierarchy());
-  level.achieved.boundMet = fitting.meetsBounds(hierarchy());
+  level.achieved.boundMet = !resumable || fitting.meetsBounds(hierarchy());
   level.achieved.stoppedBy = limited ? "maximum number of cells" : "bounds met";
   return level;
 }
@@ -296,6 +301,7 @@ Level Multiresolution::State::select(const SelectOptions& select, Progress& prog
 Mesh Multiresolution::State::emitSelected(const SelectOptions& chosen, const EmitOptions& emitted, Progress& progress)
 {
   Level level = select(chosen, progress);
+  builder->arrange(level);
   return emitClosed(*builder, hierarchy(), level, emitted, progress);
 }
 

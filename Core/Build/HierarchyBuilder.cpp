@@ -4,6 +4,7 @@
 #include "Build/CellRowsOf.h"
 #include "Build/CertifiedFields.h"
 #include "Build/CertifiedInterfaces.h"
+#include "Build/DepthFirst.h"
 #include "Model/Errors.h"
 
 #include <tbb/parallel_for.h>
@@ -360,5 +361,19 @@ void HierarchyBuilder::split(const std::vector<DiamondId>& diamonds, Progress& p
   {
     joinDiamond(CellId(static_cast<Index>(c)));
   }
+}
+
+void HierarchyBuilder::arrange(Level& level)
+{
+  // A tenth out of order costs less than arranging all.
+  if (10 * (hierarchy_.cells.size() - arrangedCells_) <= hierarchy_.cells.size())
+  {
+    return;
+  }
+  const HierarchyOrder order = depthFirst(hierarchy_);
+  reorder(elements_, order.cells);
+  reorder(hierarchy_, order);
+  reorder(level.active, order.diamonds);
+  arrangedCells_ = hierarchy_.cells.size();
 }
 }

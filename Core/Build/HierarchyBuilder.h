@@ -4,7 +4,7 @@
 #include "Build/CellErrors.h"
 #include "Build/VertexValues.h"
 #include "Model/CellRows.h"
-#include "Model/Hierarchy.h"
+#include "Model/Level.h"
 #include "Model/Progress.h"
 
 namespace strata
@@ -24,6 +24,10 @@ public:
 
   /// Splits diamonds all of whose parents are split and that are not split themselves.
   void split(const std::vector<DiamondId>& diamonds, Progress& progress);
+
+  /// Brings the hierarchy into the order in which levels run through it, if enough of it is new: all ids change.
+  /// `level` must be one of it; its diamonds are renumbered alike.
+  void arrange(Level& level);
 
   /// A cell's native elements as rows; for a cell that is split, gathered from its descendants.
   CellRows rows(CellId cell) const;
@@ -54,6 +58,7 @@ private:
   NativeElements nativeElements_;
   VertexValues vertexValues_;
   Hierarchy hierarchy_;
+  std::size_t arrangedCells_ = 0;      ///< how many there were when they were last arranged
   std::vector<CellElements> elements_; ///< one per cell; empty once the cell is split
 };
 }

@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <functional>
 #include <tuple>
 
 namespace strata
@@ -22,9 +23,19 @@ struct Workspace
   std::vector<MissingMaterial> found;
 };
 
-/// The materials with a region on a face, among those with values at its three corners.
+/// False only if another material is nearer at all three corners of a face, hence everywhere on it.
+bool mayWin(MaterialId m, const std::vector<CornerValues>& functions)
+{
+  const auto own = std::find_if(
+    functions.begin(), functions.end(), [&](const CornerValues& function) { return function.function == m.value; });
+  return std::none_of(functions.begin(), functions.end(), [&](const CornerValues& other) {
+    return std::equal(other.values.begin(), other.values.begin() + 3, own->values.begin(), std::less<double>());
+  });
+}
+
+/// Those of `wanted` that have a region on a face, among the candidates, which have values at its three corners.
 MaterialSet winnersOnFace(const Hierarchy& hierarchy, const Level& level, const std::array<VertexId, 3>& face,
-  MaterialSet candidates, Workspace& workspace)
+  MaterialSet candidates, MaterialSet wanted, Workspace& workspace)
 {
   std::vector<CornerValues>& functions = workspace.functions;
   functions.clear();
@@ -37,14 +48,25 @@ MaterialSet winnersOnFace(const Hierarchy& hierarchy, const Level& level, const 
     }
     functions.push_back(function);
   }
+  MaterialSet winners;
+  for (const MaterialId m : wanted)
+  {
+    if (!mayWin(m, functions))
+    {
+      wanted.erase(m);
+    }
+  }
+  if (wanted.empty())
+  {
+    return winners;
+  }
   workspace.cut.cutTriangle(
     { face[0].value, face[1].value, face[2].value }, functions.data(), static_cast<int>(functions.size()));
-  MaterialSet winners;
   for (const PolygonCut::Region& region : workspace.cut.regions())
   {
     winners.insert(MaterialId(region.function));
   }
-  return winners;
+  return winners & wanted;
 }
 
 void lookAtCell(
@@ -63,7 +85,7 @@ void lookAtCell(
     }
     const std::array<VertexId, 3> vertices = { cells.vertices[face[0]], cells.vertices[face[1]],
       cells.vertices[face[2]] };
-    for (const MaterialId m : winnersOnFace(hierarchy, level, vertices, onFace, workspace) - known)
+    for (const MaterialId m : winnersOnFace(hierarchy, level, vertices, onFace, onFace - known, workspace))
     {
       workspace.found.push_back({ cells.vertices[corners[skip]], corners[skip], m });
     }
@@ -71,9 +93,13 @@ void lookAtCell(
 }
 }
 
-std::vector<MissingMaterial> missingMaterials(
-  const Hierarchy& hierarchy, const Level& level, const LevelCells& cells, Progress& progress)
+std::vector<MissingMaterial> missingMaterials(const Hierarchy& hierarchy, const Level& level, const LevelCells& cells,
+  const std::vector<std::uint8_t>& changed, Progress& progress)
 {
+  const auto concerns = [&](std::size_t cell) {
+    const std::int64_t* corners = cells.tetrahedra.data() + 4 * cell;
+    return changed.empty() || changed[corners[0]] || changed[corners[1]] || changed[corners[2]] || changed[corners[3]];
+  };
   tbb::enumerable_thread_specific<Workspace> workspaces;
   const std::size_t count = cells.cells.size();
   tbb::parallel_for(std::size_t{ 0 }, (count + cellsPerBlock - 1) / cellsPerBlock, [&](std::size_t block) {
@@ -81,7 +107,10 @@ std::vector<MissingMaterial> missingMaterials(
     Workspace& workspace = workspaces.local();
     for (std::size_t i = block * cellsPerBlock; i < std::min(count, (block + 1) * cellsPerBlock); ++i)
     {
-      lookAtCell(hierarchy, level, cells, i, workspace);
+      if (concerns(i))
+      {
+        lookAtCell(hierarchy, level, cells, i, workspace);
+      }
     }
   });
   std::vector<MissingMaterial> result;

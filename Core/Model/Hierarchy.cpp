@@ -52,6 +52,14 @@ void DiamondTable::insert(DiamondId id, const std::vector<Diamond>& diamonds)
   ++used_;
 }
 
+void DiamondTable::renumber(const std::vector<std::int32_t>& newPlaces)
+{
+  for (DiamondId& slot : slots_)
+  {
+    slot = slot.valid() ? DiamondId(newPlaces[static_cast<std::size_t>(slot.value)]) : slot;
+  }
+}
+
 const float* Hierarchy::valuesOf(VertexId vertex, MaterialId m) const
 {
   const auto v = static_cast<std::size_t>(vertex.value);

@@ -43,6 +43,8 @@ public:
   DiamondId find(const LatticePoint& center, const std::vector<Diamond>& diamonds) const;
   /// Enters the diamond, whose centre must not be in the table.
   void insert(DiamondId id, const std::vector<Diamond>& diamonds);
+  /// Follows the diamonds to new places.
+  void renumber(const std::vector<std::int32_t>& newPlaces);
 
 private:
   std::size_t slotOf(const LatticePoint& center, const std::vector<Diamond>& diamonds) const;

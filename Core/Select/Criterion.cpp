@@ -34,7 +34,8 @@ Ball ballRound(const Hierarchy& hierarchy, CellId id)
 }
 
 Criterion::Criterion(ErrorBounds bounds, Interest interest, int maximumLevel) :
-  bounds_(std::move(bounds)), interest_(std::move(interest)), maximumLevel_(maximumLevel)
+  bounds_(std::move(bounds)), interest_(std::move(interest)), everything_(interest_.everything()),
+  maximumLevel_(maximumLevel)
 {
   if (interest_.view)
   {

@@ -18,13 +18,28 @@ public:
 
   /// The largest of a cell's errors in units of its bounds, rounded up: at smaller scales the cell is too coarse.
   float ratio(const Hierarchy& hierarchy, CellId cell) const;
-  /// Whether a cell of a ratio is too coarse and not on the maximum level.
-  bool mustSplit(const HierarchyCell& cell, float ratio, double scale) const
+  /// Whether a cell is too coarse and not on the maximum level.
+  bool mustSplit(const Hierarchy& hierarchy, CellId cell, double scale) const
   {
-    return static_cast<double>(ratio) > scale && cell.level < maximumLevel_;
+    return hierarchy.cell(cell).level < maximumLevel_ && exceeds(hierarchy, cell, scale);
   }
 
 private:
+  bool exceeds(const Hierarchy& hierarchy, CellId cell, double scale) const
+  {
+    if (scale != 1.0 || !everything_)
+    {
+      return static_cast<double>(ratio(hierarchy, cell)) > scale;
+    }
+    // The same without divisions: a ratio is greater than 1 exactly if an error is greater than its bound.
+    bool result = static_cast<double>(hierarchy.interfaceError(cell)) > bounds_.interfaceError;
+    for (std::size_t f = 0; f < bounds_.fieldErrors.size(); ++f)
+    {
+      result = result || static_cast<double>(hierarchy.fieldError(cell, f)) > bounds_.fieldErrors[f];
+    }
+    return result;
+  }
+
   /// What the bounds at a cell become; negative where the cell needs not meet any.
   struct Demand
   {
@@ -35,6 +50,7 @@ private:
 
   ErrorBounds bounds_;
   Interest interest_;
+  bool everything_;
   int maximumLevel_;
 };
 }

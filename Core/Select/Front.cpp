@@ -3,16 +3,32 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 
 namespace strata
 {
 namespace
 {
-/// Diamonds that a task looks at; results are joined in the order of the tasks.
-constexpr std::size_t diamondsPerBlock = 512;
+/// Enough to keep all threads busy, few enough to be found at once.
+constexpr std::size_t enoughCells = 512;
+/// Cells and diamonds per task; results are joined in the order of the tasks.
+constexpr std::size_t cellsPerBlock = 64;
+constexpr std::size_t diamondsPerBlock = 1024;
+
+std::size_t blockCount(std::size_t items, std::size_t itemsPerBlock)
+{
+  return (items + itemsPerBlock - 1) / itemsPerBlock;
 }
 
-Front::Front(const Hierarchy& hierarchy) : cellCount_(hierarchy.rootCount) {}
+template<typename T>
+void append(std::vector<T>& all, const std::vector<T>& part)
+{
+  all.insert(all.end(), part.begin(), part.end());
+}
+}
+
+Front::Front(const Hierarchy& hierarchy, bool resumable) : resumable_(resumable), cellCount_(hierarchy.rootCount) {}
 
 bool Front::activateParents(const Hierarchy& hierarchy, DiamondId id)
 {
@@ -81,106 +97,162 @@ std::vector<DiamondId> Front::split(const Hierarchy& hierarchy, const std::vecto
   return missing_;
 }
 
-void Front::look(
-  const Hierarchy& hierarchy, const Criterion& criterion, double scale, CellId cell, Findings& found) const
+void Front::visitBelow(
+  const Hierarchy& hierarchy, const Criterion& criterion, double scale, CellId top, Findings& found) const
 {
-  const HierarchyCell& tetrahedron = hierarchy.cell(cell);
-  if (isActive(tetrahedron.diamond))
+  // One cell waits for each level above the one in hand, and bisection ends after three times the octaves.
+  std::array<CellId, 3 * Lattice::octaves + 2> stack;
+  std::size_t waiting = 0;
+  stack[waiting++] = top;
+  while (waiting > 0)
   {
-    return;
-  }
-  const float ratio = criterion.ratio(hierarchy, cell);
-  if (criterion.mustSplit(tetrahedron, ratio, scale))
-  {
-    found.tooCoarse.push_back(cell);
-  }
-  else
-  {
-    found.resting.push_back({ cell, ratio });
+    const CellId id = stack[--waiting];
+    const HierarchyCell& cell = hierarchy.cell(id);
+    if (!criterion.mustSplit(hierarchy, id, scale))
+    {
+      if (resumable_)
+      {
+        found.resting.push_back({ id, criterion.ratio(hierarchy, id) });
+      }
+      continue;
+    }
+    if (!isActive(cell.diamond))
+    {
+      found.tooCoarse.push_back(cell.diamond);
+    }
+    if (!cell.firstChild.valid())
+    {
+      found.waiting.push_back(id);
+      continue;
+    }
+    stack[waiting++] = CellId(cell.firstChild.value + 1);
+    stack[waiting++] = cell.firstChild;
   }
 }
 
-void Front::keep(const std::vector<Findings>& blocks)
+std::vector<CellId> Front::spread(
+  const Hierarchy& hierarchy, const Criterion& criterion, double scale, std::vector<CellId> cells)
 {
+  for (std::size_t before = 0; before != cells.size() && cells.size() < enoughCells;)
+  {
+    before = cells.size();
+    std::vector<CellId> next;
+    for (const CellId id : cells)
+    {
+      const HierarchyCell& cell = hierarchy.cell(id);
+      if (!cell.firstChild.valid() || !criterion.mustSplit(hierarchy, id, scale))
+      {
+        next.push_back(id);
+        continue;
+      }
+      tooCoarse_.push_back(cell.diamond);
+      next.push_back(cell.firstChild);
+      next.push_back(CellId(cell.firstChild.value + 1));
+    }
+    cells.swap(next);
+  }
+  return cells;
+}
+
+void Front::visit(const Hierarchy& hierarchy, const Criterion& criterion, double scale, std::vector<CellId> cells)
+{
+  cells = spread(hierarchy, criterion, scale, std::move(cells));
+  std::vector<Findings> blocks(blockCount(cells.size(), cellsPerBlock));
+  tbb::parallel_for(std::size_t{ 0 }, blocks.size(), [&](std::size_t block) {
+    const std::size_t end = std::min(cells.size(), (block + 1) * cellsPerBlock);
+    for (std::size_t i = block * cellsPerBlock; i < end; ++i)
+    {
+      visitBelow(hierarchy, criterion, scale, cells[i], blocks[block]);
+    }
+  });
   for (const Findings& found : blocks)
   {
-    resting_.insert(resting_.end(), found.resting.begin(), found.resting.end());
-    tooCoarse_.insert(tooCoarse_.end(), found.tooCoarse.begin(), found.tooCoarse.end());
-    cellCount_ += found.cellCount;
+    append(tooCoarse_, found.tooCoarse);
+    append(waiting_, found.waiting);
+    append(resting_, found.resting);
   }
 }
 
-void Front::lookAtChildren(const Hierarchy& hierarchy, const Criterion& criterion, double scale)
+std::vector<CellId> Front::splitTooCoarse(const Hierarchy& hierarchy, const Criterion& criterion, double scale)
 {
-  std::vector<Findings> blocks((splitLast_.size() + diamondsPerBlock - 1) / diamondsPerBlock);
-  tbb::parallel_for(std::size_t{ 0 }, blocks.size(), [&](std::size_t block) {
+  for (const DiamondId id : tooCoarse_)
+  {
+    activate(hierarchy, id);
+  }
+  tooCoarse_.clear();
+  std::vector<std::vector<CellId>> children(blockCount(splitLast_.size(), diamondsPerBlock));
+  std::vector<Index> counts(children.size(), 0);
+  tbb::parallel_for(std::size_t{ 0 }, children.size(), [&](std::size_t block) {
     const std::size_t end = std::min(splitLast_.size(), (block + 1) * diamondsPerBlock);
     for (std::size_t i = block * diamondsPerBlock; i < end; ++i)
     {
-      hierarchy.forCellsOf(splitLast_[i], [&](CellId c) {
-        const CellId child = hierarchy.cell(c).firstChild;
-        look(hierarchy, criterion, scale, child, blocks[block]);
-        look(hierarchy, criterion, scale, CellId(child.value + 1), blocks[block]);
-        ++blocks[block].cellCount;
+      hierarchy.forCellsOf(splitLast_[i], [&](CellId id) {
+        const HierarchyCell& cell = hierarchy.cell(id);
+        ++counts[block];
+        if (!criterion.mustSplit(hierarchy, id, scale))
+        {
+          children[block].push_back(cell.firstChild);
+          children[block].push_back(CellId(cell.firstChild.value + 1));
+        }
       });
     }
   });
   splitLast_.clear();
-  keep(blocks);
+  std::vector<CellId> result;
+  for (std::size_t block = 0; block < children.size(); ++block)
+  {
+    append(result, children[block]);
+    cellCount_ += counts[block];
+  }
+  return result;
 }
 
-void Front::wake(const Hierarchy& hierarchy, const Criterion& criterion, double scale)
+std::vector<CellId> Front::wake(const Hierarchy& hierarchy, const Criterion& criterion, double scale)
 {
+  std::vector<CellId> awake;
   const auto asleep = std::remove_if(resting_.begin(), resting_.end(), [&](const RestingCell& resting) {
     const HierarchyCell& cell = hierarchy.cell(resting.cell);
     const bool split = isActive(cell.diamond);
-    const bool awake = !split && criterion.mustSplit(cell, resting.ratio, scale);
-    if (awake)
+    if (!split && static_cast<double>(resting.ratio) > scale && criterion.mustSplit(hierarchy, resting.cell, scale))
     {
-      tooCoarse_.push_back(resting.cell);
+      awake.push_back(resting.cell);
+      return true;
     }
-    return split || awake;
+    return split;
   });
   resting_.erase(asleep, resting_.end());
+  return awake;
 }
 
 std::vector<DiamondId> Front::advance(
   const Hierarchy& hierarchy, const Criterion& criterion, double scale, Index maximumNumberOfCells)
 {
   forgetMissing(hierarchy);
+  std::vector<CellId> cells = std::move(waiting_);
+  waiting_.clear();
   if (!begun_)
   {
-    std::vector<Findings> base(1);
     for (Index c = 0; c < hierarchy.rootCount; ++c)
     {
-      look(hierarchy, criterion, scale, CellId(c), base.front());
+      cells.push_back(CellId(c));
     }
-    keep(base);
     begun_ = true;
   }
-  else if (waiting_.empty())
+  else if (cells.empty())
   {
-    wake(hierarchy, criterion, scale);
+    cells = wake(hierarchy, criterion, scale);
   }
-  tooCoarse_.insert(tooCoarse_.end(), waiting_.begin(), waiting_.end());
-  waiting_.clear();
-  while (!tooCoarse_.empty() && cellCount_ <= maximumNumberOfCells)
+  while (!cells.empty() && cellCount_ <= maximumNumberOfCells)
   {
-    for (const CellId c : tooCoarse_)
-    {
-      if (!activate(hierarchy, hierarchy.cell(c).diamond))
-      {
-        waiting_.push_back(c);
-      }
-    }
-    tooCoarse_.clear();
-    lookAtChildren(hierarchy, criterion, scale);
+    visit(hierarchy, criterion, scale, std::move(cells));
+    cells = splitTooCoarse(hierarchy, criterion, scale);
   }
   return missing_;
 }
 
 bool Front::meetsBounds(const Hierarchy& hierarchy) const
 {
+  assert(resumable_);
   return std::none_of(resting_.begin(), resting_.end(), [&](const RestingCell& resting) {
     return resting.ratio > 1.0f && !isActive(hierarchy.cell(resting.cell).diamond);
   });

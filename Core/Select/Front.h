@@ -13,8 +13,8 @@ namespace strata
 class Front
 {
 public:
-  /// Starts with the base mesh.
-  explicit Front(const Hierarchy& hierarchy);
+  /// Starts with the base mesh. A front that is not `resumable` comes to its end at one scale, and is quicker.
+  Front(const Hierarchy& hierarchy, bool resumable);
 
   /// Splits cells as the criterion asks, as far as the hierarchy has been built, and stops beyond a number of
   /// cells. The criterion must be the same each time; the scale must not grow. Returns the diamonds that have to be
@@ -28,7 +28,8 @@ public:
   std::vector<DiamondId> split(const Hierarchy& hierarchy, const std::vector<CellId>& cells);
 
   Index cellCount() const { return cellCount_; }
-  /// Whether no cell of the mesh exceeds the criterion's bounds; for a front that has been advanced to its end.
+  /// Whether no cell of the mesh exceeds the criterion's bounds; for a resumable front that has been advanced to its
+  /// end.
   bool meetsBounds(const Hierarchy& hierarchy) const;
   Level level(const Hierarchy& hierarchy) const;
 
@@ -39,22 +40,27 @@ private:
     CellId cell;
     float ratio;
   };
-  /// What a look at some cells finds.
+  /// What visits of cells find.
   struct Findings
   {
+    std::vector<DiamondId> tooCoarse;
+    std::vector<CellId> waiting;
     std::vector<RestingCell> resting;
-    std::vector<CellId> tooCoarse;
-    Index cellCount = 0; ///< cells that were split
   };
 
   bool isActive(DiamondId id) const { return active_[static_cast<std::size_t>(id.value)] == active; }
-  /// Looks at a cell of the mesh unless its diamond has been split.
-  void look(const Hierarchy& hierarchy, const Criterion& criterion, double scale, CellId cell, Findings& found) const;
-  /// Looks at the children of all cells of the diamonds that were split last.
-  void lookAtChildren(const Hierarchy& hierarchy, const Criterion& criterion, double scale);
-  void keep(const std::vector<Findings>& blocks);
+  /// Visits cells of the mesh and, below those that must be split, all others, in parallel. Each cell is visited once:
+  /// cells that are split for conformity alone end a visit, and their children begin another.
+  void visit(const Hierarchy& hierarchy, const Criterion& criterion, double scale, std::vector<CellId> cells);
+  /// Goes down from a few cells until they are enough for all threads.
+  std::vector<CellId> spread(
+    const Hierarchy& hierarchy, const Criterion& criterion, double scale, std::vector<CellId> cells);
+  void visitBelow(
+    const Hierarchy& hierarchy, const Criterion& criterion, double scale, CellId top, Findings& found) const;
+  /// Splits the diamonds that were found too coarse. Returns the children of cells split for conformity alone.
+  std::vector<CellId> splitTooCoarse(const Hierarchy& hierarchy, const Criterion& criterion, double scale);
   /// Takes resting cells up again that are too coarse at a smaller scale; forgets those that have been split.
-  void wake(const Hierarchy& hierarchy, const Criterion& criterion, double scale);
+  std::vector<CellId> wake(const Hierarchy& hierarchy, const Criterion& criterion, double scale);
   /// Splits a diamond in the mesh, its parents first; false if something has to be built before.
   bool activate(const Hierarchy& hierarchy, DiamondId id);
   bool activateParents(const Hierarchy& hierarchy, DiamondId id);
@@ -70,11 +76,12 @@ private:
   };
 
   std::vector<std::uint8_t> active_; ///< State of each diamond
-  std::vector<DiamondId> splitLast_; ///< active diamonds whose cells' children have not been looked at
-  std::vector<CellId> tooCoarse_;    ///< cells to be split
-  std::vector<CellId> waiting_;      ///< cells to be split whose diamonds wait for missing ones
+  std::vector<DiamondId> tooCoarse_; ///< diamonds to be split
+  std::vector<DiamondId> splitLast_; ///< diamonds that have just been split
+  std::vector<CellId> waiting_;      ///< cells to be split whose diamonds have to be built before
   std::vector<RestingCell> resting_; ///< some of them split since
   std::vector<DiamondId> missing_;
+  bool resumable_;
   bool begun_ = false; ///< whether the base mesh has been looked at
   Index cellCount_ = 0;
 };

@@ -21,7 +21,7 @@ public:
     Progress progress;
     builder_ = std::make_unique<HierarchyBuilder>(std::move(native), interfaces, options, progress);
     const Criterion criterion(bounds, {}, maximumLevel);
-    Front front(hierarchy());
+    Front front(hierarchy(), false);
     for (;;)
     {
       const std::vector<DiamondId> missing =
