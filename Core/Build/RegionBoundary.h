@@ -1,9 +1,12 @@
 #pragma once
 
 #include "Build/BuildOptions.h"
+#include "Build/SurfaceEdges.h"
 #include "Geometry/TriangleTree.h"
+#include "Geometry/WindingNumber.h"
 #include "Model/Interfaces.h"
 
+#include <bitset>
 #include <memory>
 
 namespace strata
@@ -26,20 +29,31 @@ public:
     const Interfaces& interfaces, MaterialId material, const Box& box, DistanceMethod method, bool fillsBox);
 
   /// Exact distance (or, by the paper's rule, distance to the closest vertex); the side follows from the
-  /// angle-weighted pseudonormal of the closest feature (Baerentzen and Aanaes 2005). Thread-safe.
+  /// angle-weighted pseudonormal of the closest feature (Baerentzen and Aanaes 2005), or from the winding number where
+  /// the surface is open there. Thread-safe.
   RegionPoint locate(const Vector& point) const;
 
 private:
   /// Pseudonormals of a triangle's features, indexed by TriangleFeature.
   using FeatureNormals = std::array<Vector, 7>;
 
-  void makeNormals(const std::vector<Vector>& points, const std::vector<std::array<std::int32_t, 3>>& triangles);
-  void makeTree(const std::vector<Vector>& points, const std::vector<std::array<std::int32_t, 3>>& triangles,
-    DistanceMethod method);
+  /// Which of them lie where the surface is open within the box.
+  using OpenFeatures = std::bitset<7>;
+
+  void makeNormals(const std::vector<Vector>& points, const std::vector<SurfaceTriangle>& triangles);
+  void findOpenFeatures(const std::vector<Vector>& points, const std::vector<SurfaceTriangle>& triangles);
+  void makeTree(
+    const std::vector<Vector>& points, const std::vector<SurfaceTriangle>& triangles, DistanceMethod method);
+  void makeWinding(const std::vector<Vector>& points, const std::vector<SurfaceTriangle>& triangles);
+
+  bool isOpen(const TriangleTree::Hit& hit) const;
+  bool isBehind(const TriangleTree::Hit& hit, const Vector& point) const;
 
   Box box_;
   bool fillsBox_ = false;
   std::unique_ptr<TriangleTree> tree_;
   std::vector<FeatureNormals> normals_;
+  std::vector<OpenFeatures> open_;         ///< of each triangle; empty for a closed surface
+  std::unique_ptr<WindingNumber> winding_; ///< null for a closed surface
 };
 }

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 namespace strata::conversion
@@ -232,9 +233,18 @@ void collect(const NamedSurface& surface, const Materials& materials, Collected&
   collected.points.insert(collected.points.end(), points.begin(), points.end());
 }
 
-/// Welds the points; triangles that lose a corner by it are dropped, and points that none uses.
-Interfaces welded(const Collected& collected)
+/// The same triangle with its lowest corner first.
+Triangle turned(Triangle t)
 {
+  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  return t;
+}
+
+/// Welds the points; triangles that lose a corner by it are dropped, those that repeat another one, and points that
+/// none uses.
+Interfaces welded(const Collected& collected, Warnings& warnings)
+{
+  Index doubled = 0;
   Box box;
   for (const Vector& point : collected.points)
   {
@@ -246,6 +256,7 @@ Interfaces welded(const Collected& collected)
   for (const auto& [pair, triangles] : collected.triangles)
   {
     Interfaces::Surface surface{ MaterialId(pair.first), MaterialId(pair.second), {} };
+    std::set<Triangle> seen;
     for (const Triangle& triangle : triangles)
     {
       const Index a = same[static_cast<std::size_t>(triangle[0])];
@@ -256,6 +267,11 @@ Interfaces welded(const Collected& collected)
         (collected.points[static_cast<std::size_t>(b)] - p).cross(collected.points[static_cast<std::size_t>(c)] - p);
       if (a == b || b == c || c == a || area.squaredNorm() == 0.0)
       {
+        continue;
+      }
+      if (!seen.insert(turned({ a, b, c })).second)
+      {
+        ++doubled;
         continue;
       }
       std::array<std::int32_t, 3> corners{};
@@ -277,6 +293,10 @@ Interfaces welded(const Collected& collected)
       result.surfaces.push_back(std::move(surface));
     }
   }
+  if (doubled > 0)
+  {
+    warnings.push_back(std::to_string(doubled) + " triangles of the interfaces repeat another one and are left out");
+  }
   return result;
 }
 }
@@ -288,6 +308,6 @@ Interfaces readInterfaces(const std::vector<NamedSurface>& surfaces, const Mater
   {
     collect(surface, materials, collected, warnings);
   }
-  return welded(collected);
+  return welded(collected, warnings);
 }
 }

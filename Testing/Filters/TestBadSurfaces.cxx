@@ -148,3 +148,32 @@ TEST(Surfaces, PointsOutOfRangeAreNamed)
   surface->SetPolys(cells);
   EXPECT_REFUSED(filterWith(named(surface, "right|left")), "point 77");
 }
+
+TEST(Surfaces, TrianglesThatRepeatOthersAreLeftOut)
+{
+  auto surface = square(Shape::Triangles);
+  const vtkIdType again[3] = { 1, 2, 0 };
+  surface->GetPolys()->InsertNextCell(3, again);
+  auto filter = filterWith(named(surface, "right|left"));
+  const Outcome outcome = update(filter);
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_NE(outcome.warning.find("1 triangles of the interfaces repeat"), std::string::npos) << outcome.warning;
+  EXPECT_EQ(shareOfLeft(filter), 1.0);
+}
+
+TEST(Surfaces, ASheetThatEndsBeforeTheWallsIsContinuedWithAWarningOfHowFar)
+{
+  auto surface = square(Shape::Triangles);
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    double p[3];
+    surface->GetPoint(i, p);
+    surface->GetPoints()->SetPoint(i, p[0], 0.05 + 0.9 * p[1], 0.05 + 0.9 * p[2]);
+  }
+  auto filter = filterWith(named(surface, "right|left"));
+  const Outcome outcome = update(filter);
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_NE(outcome.warning.find("open along 4 edges of length 3.6"), std::string::npos) << outcome.warning;
+  EXPECT_NE(outcome.warning.find("up to 0.05 from its edges"), std::string::npos) << outcome.warning;
+  EXPECT_EQ(shareOfLeft(filter), 1.0);
+}

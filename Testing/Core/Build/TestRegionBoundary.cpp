@@ -1,6 +1,7 @@
 #include "Build/RegionBoundary.h"
 
 #include "Support/SphereCase.h"
+#include "Support/TriangulatedShapes.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -104,6 +105,80 @@ TEST(RegionBoundary, SurfacesThatEndAtTheWallsOfTheBoxSeparateItsInside)
       }
     }
   }
+}
+
+/// Triangles of a surface that keep to a condition on their corners' mean.
+template<typename Keep>
+Triangles kept(const Triangles& triangles, const Keep& keep)
+{
+  Triangles result;
+  std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(result),
+    [&](const auto& t) { return keep(Vector((t[0] + t[1] + t[2]) / 3.0)); });
+  return result;
+}
+
+TEST(RegionBoundary, AHoleInASphereDoesNotTurnSidesRoundIt)
+{
+  const Vector center(0.5, 0.5, 0.5);
+  // The polar cap above a chord of half the radius' height is missing: a hole 0.5 wide in a sphere 0.6 wide.
+  const double chord = 0.5 * std::sqrt(3.0) * 0.5 + 0.01;
+  const Triangles open =
+    kept(sphereSurface(center, 0.3, 4), [&](const Vector& p) { return p.z() - 0.5 < 0.3 * chord; });
+  const Interfaces interfaces = interfaceBetween(open, MaterialId(1), MaterialId(0));
+  const RegionBoundary ball(interfaces, MaterialId(0), unitBox(), DistanceMethod::ClosestPoint, false);
+  const RegionBoundary rest(interfaces, MaterialId(1), unitBox(), DistanceMethod::ClosestPoint, false);
+  for (const Vector& p : randomPoints(4000))
+  {
+    const double d = (p - center).norm() - 0.3;
+    // Over the hole, nothing says where between a flat lid and one as high as wide the border is.
+    const double overHole = p.z() - 0.5 - 0.3 * chord;
+    const bool open_ = std::hypot(p.x() - 0.5, p.y() - 0.5) < 0.3 && overHole > -0.1 && overHole < 0.3;
+    if (std::abs(d) > 0.001 && !open_)
+    {
+      EXPECT_EQ(d < 0.0, ball.locate(p).inside) << p.transpose();
+      EXPECT_EQ(d > 0.0, rest.locate(p).inside) << p.transpose();
+    }
+  }
+}
+
+TEST(RegionBoundary, ASheetThatEndsBeforeTheWallsIsContinued)
+{
+  const Triangles sheet = parallelogram(Vector(0.1, 0.1, 0.45), Vector(0.8, 0, 0), Vector(0, 0.8, 0), 8);
+  const Interfaces interfaces = interfaceBetween(sheet, MaterialId(0), MaterialId(1));
+  const RegionBoundary above(interfaces, MaterialId(0), unitBox(), DistanceMethod::ClosestPoint, false);
+  const RegionBoundary below(interfaces, MaterialId(1), unitBox(), DistanceMethod::ClosestPoint, false);
+  for (const Vector& p : randomPoints(2000))
+  {
+    // The walls are known by squares of 1/32, the winding number to 0.002.
+    if (std::abs(p.z() - 0.45) > 0.05)
+    {
+      EXPECT_EQ(p.z() > 0.45, above.locate(p).inside) << p.transpose();
+      EXPECT_EQ(p.z() < 0.45, below.locate(p).inside) << p.transpose();
+    }
+  }
+}
+
+TEST(SurfaceEdges, OnlyBordersWithinTheBoxAreOpen)
+{
+  const Vector center(0.5, 0.5, 0.5);
+  const auto borders = [&](const Triangles& triangles) {
+    return openBorders(interfaceBetween(triangles, MaterialId(1), MaterialId(0)), 2, unitBox());
+  };
+  EXPECT_TRUE(borders(sphereSurface(center, 0.3, 2)).empty());
+  EXPECT_TRUE(borders(parallelogram(Vector(-0.1, 0, 0.4), Vector(1.2, 0, 0), Vector(0, 1, 0), 4)).empty());
+  Triangles open = sphereSurface(center, 0.3, 2);
+  open.pop_back();
+  const std::vector<OpenBorder> hole = borders(open);
+  ASSERT_EQ(hole.size(), 2u) << "both materials";
+  EXPECT_EQ(hole.front().edges, 3);
+  EXPECT_LT(hole.front().reach, 0.3) << "half the size of a triangle at most";
+  // A sheet 0.05 short of the walls may be wrong that far from its edges.
+  const std::vector<OpenBorder> sheet =
+    borders(parallelogram(Vector(0.05, 0.05, 0.5), Vector(0.9, 0, 0), Vector(0, 0.9, 0), 6));
+  ASSERT_EQ(sheet.size(), 2u);
+  EXPECT_EQ(sheet.front().edges, 24);
+  EXPECT_NEAR(sheet.front().length, 3.6, 1e-12);
+  EXPECT_NEAR(sheet.front().reach, 0.05, 1e-12);
 }
 
 TEST(RegionBoundary, ThePapersDistanceIsToTheClosestVertex)
