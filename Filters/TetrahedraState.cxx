@@ -1,6 +1,5 @@
 #include "TetrahedraState.h"
 
-#include "OriginalInterfaces.h"
 #include "SimulationFilterLists.h"
 
 #include "Conversion/InputRepresentation.h"
@@ -88,13 +87,13 @@ bool vtkStrataTetrahedra::Internals::prepare(
   conversion::ReadSimulationResult read = conversion::readSimulation(input, filter.ArrayLists->options(filter));
   this->warnings = std::move(read.warnings);
   progress.stage("Finding the interfaces", 0.0, 0.0);
-  strata::Interfaces interfaces = originalInterfaces(
+  strata::Interfaces found = this->interfaces.get(
     input, inputs.interfaces, read.simulation, filter.MinimumVolumeFraction, this->warnings, progress);
   progress.stage("Reading the fields", 0.0, 0.0);
   strata::NativeOptions nativeOptions;
   nativeOptions.minimumVolumeFraction = filter.MinimumVolumeFraction;
   this->native = strata::readNativeData(read.simulation, nativeOptions, progress);
-  this->multiresolution = std::make_unique<strata::Multiresolution>(this->native, std::move(interfaces), options);
+  this->multiresolution = std::make_unique<strata::Multiresolution>(this->native, std::move(found), options);
   this->key = wanted;
   return true;
 }

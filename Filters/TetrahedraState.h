@@ -1,5 +1,6 @@
 #pragma once
 
+#include "KeptInterfaces.h"
 #include "vtkStrataTetrahedra.h"
 
 #include "Pipeline.h"
@@ -55,6 +56,7 @@ struct vtkStrataTetrahedra::Internals
   std::vector<std::pair<std::string, double>> absoluteBounds;
   std::vector<std::string> focusMaterials;
 
+  KeptInterfaces interfaces;
   std::string key;
   std::shared_ptr<const strata::NativeData> native;
   std::unique_ptr<strata::Multiresolution> multiresolution;

@@ -143,6 +143,29 @@ TEST_P(Slider, SlidingGivesTheBytesOfStartingThereAndReadsNothingAgain)
   EXPECT_EQ(slid->GetNumberOfBuilds(), 1);
 }
 
+TEST(KeptInterfaces, OtherFieldsAndOtherFractionsGiveTheBytesOfAFreshFilter)
+{
+  const vtkSmartPointer<vtkImageData> input = twoWaves(8);
+  vtkNew<vtkStrataTetrahedra> kept;
+  kept->SetInputData(input);
+  const auto expectFresh = [&]() {
+    ASSERT_EQ(update(kept).error, "");
+    vtkNew<vtkStrataTetrahedra> fresh;
+    fresh->SetInputData(input);
+    ASSERT_EQ(update(fresh).error, "");
+    expectSameBytes(meshOf(kept), meshOf(fresh));
+  };
+  expectFresh();
+  cellArray(input, "density_left")->SetValue(0, 9.0f);
+  input->Modified();
+  expectFresh();
+  // One cell's material changes sides: the interface does not stay.
+  cellArray(input, "volume_fraction_left")->SetValue(0, 0.0f);
+  cellArray(input, "volume_fraction_right")->SetValue(0, 1.0f);
+  input->Modified();
+  expectFresh();
+}
+
 INSTANTIATE_TEST_SUITE_P(OfEveryErrorMethod, Slider,
   testing::Values(vtkStrataTetrahedra::DIRECT, vtkStrataTetrahedra::SATURATED, vtkStrataTetrahedra::FITTED,
     vtkStrataTetrahedra::ACCUMULATED));
