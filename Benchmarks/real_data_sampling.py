@@ -172,10 +172,26 @@ class Mesh:
         result = probe.GetOutput().GetPointData()
         found = vtk_to_numpy(result.GetArray("cell")).astype(int)
         found[vtk_to_numpy(result.GetArray("vtkValidPointMask")) == 0] = -1
-        corners = self.points[self.cells[found]]
+        weights = self.weights(found, positions)
+        # VTK takes a cell for that of a point up to 1/1000 beside it.
+        locator, near = vtkStaticCellLocator(), vtkIdList()
+        locator.SetDataSet(mesh)
+        locator.BuildLocator()
+        reach = 1e-9 * numpy.ptp(self.points, axis=0).max()
+        for i in numpy.flatnonzero((weights.min(axis=1) < -1e-9) & (found >= 0)):
+            locator.FindCellsWithinBounds(numpy.stack([positions[i] - reach, positions[i] + reach], axis=1).ravel(), near)
+            cells = numpy.array([near.GetId(n) for n in range(near.GetNumberOfIds())] + [found[i]])
+            tried = self.weights(cells, numpy.repeat(positions[i:i + 1], len(cells), axis=0))
+            best = tried.min(axis=1).argmax()
+            found[i], weights[i] = cells[best], tried[best]
+        return found, weights
+
+    def weights(self, cells, positions):
+        """Barycentric coordinates of each point in its cell."""
+        corners = self.points[self.cells[cells]]
         edges = (corners[:, 1:] - corners[:, :1]).transpose(0, 2, 1)
         rest = numpy.linalg.solve(edges, positions - corners[:, 0])
-        return found, numpy.concatenate([1.0 - rest.sum(axis=1, keepdims=True), rest], axis=1)
+        return numpy.concatenate([1.0 - rest.sum(axis=1, keepdims=True), rest], axis=1)
 
     def gradients(self, cells):
         corners = self.points[self.cells[cells]]
