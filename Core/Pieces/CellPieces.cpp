@@ -64,7 +64,7 @@ CellPieces join(const std::vector<CellPieces>& blocks)
   result.corners.resize(firstCorner.back());
   tbb::parallel_for(std::size_t{ 0 }, blocks.size(), [&](std::size_t b) {
     const CellPieces& block = blocks[b];
-    std::copy(block.corners.begin(), block.corners.end(), &result.corners[0] + firstCorner[b]);
+    std::copy(block.corners.begin(), block.corners.end(), result.corners.data() + firstCorner[b]);
     for (std::size_t i = 0; i < block.pieces.size(); ++i)
     {
       CellPiece piece = block.pieces[i];

@@ -74,6 +74,10 @@ int main(int argc, char** argv)
     std::ifstream file(argv[i], std::ios::binary);
     files.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
   }
+  for (std::size_t i = 0; i < files.size() && seconds <= 0.0; ++i)
+  {
+    LLVMFuzzerTestOneInput(files[i].data(), files[i].size());
+  }
   const auto start = std::chrono::steady_clock::now();
   long inputs = 0;
   while (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < seconds)
