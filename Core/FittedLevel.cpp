@@ -18,10 +18,17 @@ namespace
 class Fitting
 {
 public:
-  Fitting(HierarchyBuilder& builder, const ErrorBounds& bounds, const FitOptions& options, Progress& progress) :
-    builder_(builder), bounds_(bounds), options_(options), progress_(progress),
-    criterion_(bounds, {}, options.maximumLevel), front_(builder.hierarchy(), false)
-  {}
+  Fitting(HierarchyBuilder& builder, const InterfaceTrees* original, const ErrorBounds& bounds,
+    const FitOptions& options, Progress& progress) :
+    builder_(builder),
+    bounds_(bounds), options_(options), progress_(progress), criterion_(bounds, {}, options.maximumLevel),
+    front_(builder.hierarchy(), false)
+  {
+    if (original)
+    {
+      certificate_ = std::make_unique<InterfaceCertificate>(builder, *original, criterion_);
+    }
+  }
 
   FittedLevel run()
   {
@@ -30,16 +37,17 @@ public:
     for (int round = 1;; ++round)
     {
       collectCells();
-      fitValues(values_, cells_, rows_, bounds_, options_.sweeps, progress_);
+      fitValues(values_, cells_, rows_, fixed_, bounds_, options_.sweeps, progress_);
       measure();
-      std::vector<CellId> tooCoarse;
-      std::copy_if(cells_.begin(), cells_.end(), std::back_inserter(tooCoarse),
-        [&](CellId c) { return criterion_.mustSplit(values_, c, 1.0); });
+      Level level = front_.level(builder_.hierarchy());
+      const std::vector<CellId> tooCoarse = findTooCoarse(level);
       if (tooCoarse.empty())
       {
-        return { std::move(values_), front_.level(builder_.hierarchy()) };
+        return { std::move(values_), std::move(level), std::move(certificate_) };
       }
+      fixFailing(tooCoarse);
       split(tooCoarse);
+      countFailures(tooCoarse);
       takeOverHierarchy();
       progress_.update(1.0 - std::exp(-0.2 * round));
     }
@@ -73,12 +81,66 @@ private:
     }
   }
 
+  std::vector<CellId> findTooCoarse(Level& level)
+  {
+    std::vector<CellId> result;
+    std::copy_if(cells_.begin(), cells_.end(), std::back_inserter(result),
+      [&](CellId c) { return criterion_.mustSplit(values_, c, 1.0); });
+    if (certificate_)
+    {
+      certificate_->measure(values_, level, progress_);
+      const std::vector<CellId> more = certificate_->tooCoarse(values_);
+      result.insert(result.end(), more.begin(), more.end());
+    }
+    return result;
+  }
+
+  /// Where splitting has not helped, the fitted values are to blame: they follow the points that the fit looks at, and
+  /// errors are taken over more than those. With the hierarchy's own values, refinement ends as it does without fits.
+  void fixFailing(const std::vector<CellId>& tooCoarse)
+  {
+    failures_.resize(values_.cells.size(), 0);
+    for (const CellId c : tooCoarse)
+    {
+      if (failures_[static_cast<std::size_t>(c.value)] >= options_.mostFailures)
+      {
+        for (const VertexId v : values_.cell(c).corners)
+        {
+          restore(v);
+        }
+      }
+    }
+  }
+
+  void restore(VertexId vertex)
+  {
+    const auto v = static_cast<std::size_t>(vertex.value);
+    const auto first = static_cast<std::ptrdiff_t>(values_.valueOffsets[v]);
+    const std::ptrdiff_t count = values_.vertexMaterials[v].size() * values_.valuesPerMaterial;
+    const std::vector<float>& own = builder_.hierarchy().values;
+    std::copy(own.begin() + first, own.begin() + first + count, values_.values.begin() + first);
+    fixed_[v] = 1;
+  }
+
+  /// Children know how often their ancestors fell short in a row.
+  void countFailures(const std::vector<CellId>& split)
+  {
+    failures_.resize(builder_.hierarchy().cells.size(), 0);
+    for (const CellId c : split)
+    {
+      const auto child = static_cast<std::size_t>(builder_.hierarchy().cell(c).firstChild.value);
+      failures_[child] = failures_[child + 1] =
+        static_cast<std::uint8_t>(std::min(failures_[static_cast<std::size_t>(c.value)] + 1, 255));
+    }
+  }
+
   /// New cells and vertices come from the hierarchy; fitted values stay.
   void takeOverHierarchy()
   {
     std::vector<float> fitted = std::move(values_.values);
     values_ = builder_.hierarchy();
     std::copy(fitted.begin(), fitted.end(), values_.values.begin());
+    fixed_.resize(values_.vertices.size(), 0);
   }
 
   void collectCells()
@@ -118,15 +180,18 @@ private:
   Progress& progress_;
   Criterion criterion_;
   Front front_;
+  std::unique_ptr<InterfaceCertificate> certificate_;
   Hierarchy values_;
   std::vector<CellId> cells_;
-  std::vector<CellRows> rows_; ///< one per cell
+  std::vector<CellRows> rows_;         ///< one per cell
+  std::vector<std::uint8_t> fixed_;    ///< [vertex], 1 if it has the hierarchy's values for good
+  std::vector<std::uint8_t> failures_; ///< [cell], of its parent, grandparent and so on, until one held its bounds
 };
 }
 
-FittedLevel fitLevel(
-  HierarchyBuilder& builder, const ErrorBounds& bounds, const FitOptions& options, Progress& progress)
+FittedLevel fitLevel(HierarchyBuilder& builder, const InterfaceTrees* original, const ErrorBounds& bounds,
+  const FitOptions& options, Progress& progress)
 {
-  return Fitting(builder, bounds, options, progress).run();
+  return Fitting(builder, original, bounds, options, progress).run();
 }
 }

@@ -1,20 +1,14 @@
 #include "Pipeline.h"
 
+#include "Bounds.h"
 #include "Build/HierarchyBuilder.h"
-#include "Emit/MissingMaterials.h"
+#include "CloseRegions.h"
 #include "FittedLevel.h"
-#include "Model/Errors.h"
+#include "InterfaceCertificate.h"
 #include "Select/Front.h"
 #include "Select/Saturate.h"
 
-#include <tbb/parallel_for.h>
-
-#include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <iterator>
-#include <limits>
-#include <tuple>
 
 namespace strata
 {
@@ -23,164 +17,14 @@ namespace
 /// Shares of the progress bar.
 constexpr double buildShare = 0.9;
 
-void check(const SelectOptions& options, const std::vector<Field>& fields, const BuildOptions& build)
+/// A level of the hierarchy, and what is known of its interfaces.
+struct Selection
 {
-  const ErrorBounds& bounds = options.bounds;
-  const Index rootCount = Index{ 6 } * build.baseCubes[0] * build.baseCubes[1] * build.baseCubes[2];
-  if (options.maximumNumberOfCells < rootCount)
-  {
-    throw InvalidInput("the maximum number of cells is " + std::to_string(options.maximumNumberOfCells) +
-                       "; the base mesh alone has " + std::to_string(rootCount));
-  }
-  if (!(bounds.interfaceError > 0.0))
-  {
-    throw InvalidInput(
-      "the interface error bound is " + std::to_string(bounds.interfaceError) + "; it must be greater than zero");
-  }
-  if (bounds.fieldErrors.size() != fields.size())
-  {
-    throw InvalidInput("there are " + std::to_string(bounds.fieldErrors.size()) + " field error bounds for " +
-                       std::to_string(fields.size()) + " fields");
-  }
-  for (std::size_t f = 0; f < fields.size(); ++f)
-  {
-    if (!(bounds.fieldErrors[f] > 0.0))
-    {
-      throw InvalidInput("the error bound of field '" + fields[f].name + "' is " +
-                         std::to_string(bounds.fieldErrors[f]) + "; it must be greater than zero");
-    }
-  }
-}
-
-/// The bounds down to which saturated and accumulated errors look: never looser than the level's own.
-ErrorBounds finestOf(const SelectOptions& select)
-{
-  ErrorBounds finest = select.bounds;
-  if (select.finestBounds.interfaceError > 0.0)
-  {
-    finest.interfaceError = std::min(finest.interfaceError, select.finestBounds.interfaceError);
-  }
-  for (std::size_t f = 0; f < select.finestBounds.fieldErrors.size(); ++f)
-  {
-    const double bound = select.finestBounds.fieldErrors[f];
-    finest.fieldErrors[f] = bound > 0.0 ? std::min(finest.fieldErrors[f], bound) : finest.fieldErrors[f];
-  }
-  return finest;
-}
-
-/// Positive floats are ordered as their bit patterns are.
-std::uint32_t bitsOf(float value)
-{
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
-}
-
-float floatOf(std::uint32_t bits)
-{
-  float value = 0.0f;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
-}
-
-/// The smallest scale of at least one at which fits(scale) holds, which must be monotone and hold at the
-/// largest float.
-template<typename Fits>
-double smallestScale(const Fits& fits)
-{
-  std::uint32_t low = bitsOf(1.0f);
-  std::uint32_t high = bitsOf(std::numeric_limits<float>::max());
-  while (low < high)
-  {
-    const std::uint32_t middle = low + (high - low) / 2;
-    const bool enough = fits(static_cast<double>(floatOf(middle)));
-    high = enough ? middle : high;
-    low = enough ? low : middle + 1;
-  }
-  return static_cast<double>(floatOf(high));
-}
-
-ErrorBounds scaled(ErrorBounds bounds, double scale)
-{
-  bounds.interfaceError *= scale;
-  for (double& bound : bounds.fieldErrors)
-  {
-    bound *= scale;
-  }
-  return bounds;
-}
-
-/// Values are stored as floats: no bound can be met below a few of their steps.
-constexpr double resolution = 4.0 * static_cast<double>(std::numeric_limits<float>::epsilon());
-
-/// The bounds, but for those that no refinement could meet.
-ErrorBounds attainable(ErrorBounds bounds, const NativeData& native)
-{
-  bounds.interfaceError = std::max(bounds.interfaceError, resolution * native.box().diagonal());
-  for (std::size_t f = 0; f < bounds.fieldErrors.size(); ++f)
-  {
-    const double smallest = resolution * native.magnitude(FieldId(static_cast<Index>(f)));
-    bounds.fieldErrors[f] = std::max(bounds.fieldErrors[f], smallest);
-  }
-  return bounds;
-}
-
-bool meets(const Achieved& achieved, const ErrorBounds& bounds)
-{
-  bool result = achieved.interfaceError <= bounds.interfaceError;
-  for (std::size_t f = 0; f < bounds.fieldErrors.size(); ++f)
-  {
-    result = result && achieved.fieldErrors[f] <= bounds.fieldErrors[f];
-  }
-  return result;
-}
-
-/// Says why a level that refinement took for finished does not meet the bounds.
-std::string reasonOf(const Achieved& achieved, const ErrorBounds& attainableBounds, bool everywhere)
-{
-  return everywhere && meets(achieved, attainableBounds) ? "resolution of the stored values" : "maximum level";
-}
-
-/// The values that the vertices lack, as they would be if a cell round them held the material.
-std::vector<ExtraValues> extraValues(
-  const HierarchyBuilder& builder, const std::vector<MissingMaterial>& missing, Progress& progress)
-{
-  std::vector<ExtraValues> extra(missing.size());
-  tbb::parallel_for(std::size_t{ 0 }, missing.size(), [&](std::size_t i) {
-    progress.check();
-    extra[i] = { missing[i].vertex, missing[i].material, builder.valuesAt(missing[i].vertex, missing[i].material) };
-  });
-  return extra;
-}
-
-/// Gives vertices the materials that win on a face of a cell which holds none of them, so that no region ends at
-/// a face.
-void closeRegions(
-  const HierarchyBuilder& builder, const Hierarchy& values, Level& level, LevelCells& cells, Progress& progress)
-{
-  std::vector<std::uint8_t> changed;
-  for (;;)
-  {
-    const std::vector<MissingMaterial> missing = missingMaterials(values, level, cells, changed, progress);
-    if (missing.empty())
-    {
-      return;
-    }
-    changed.assign(cells.vertices.size(), 0);
-    for (const MissingMaterial& m : missing)
-    {
-      cells.needs[static_cast<std::size_t>(m.number)].insert(m.material);
-      changed[static_cast<std::size_t>(m.number)] = 1;
-    }
-    std::vector<ExtraValues> extra = extraValues(builder, missing, progress);
-    const auto known = static_cast<std::ptrdiff_t>(level.extra.size());
-    level.extra.insert(level.extra.end(), std::make_move_iterator(extra.begin()), std::make_move_iterator(extra.end()));
-    std::inplace_merge(level.extra.begin(), level.extra.begin() + known, level.extra.end(),
-      [](const ExtraValues& a, const ExtraValues& b) {
-        return std::tie(a.vertex, a.material) < std::tie(b.vertex, b.material);
-      });
-  }
-}
+  Level level;
+  std::unique_ptr<InterfaceCertificate> certificate; ///< null where errors are taken at points
+  /// Cells that were split for what the certificate found, with the error found.
+  std::vector<std::pair<CellId, double>> raised;
+};
 
 /// Closes the regions of a level and writes it.
 Mesh emitClosed(const HierarchyBuilder& builder, const Hierarchy& values, Level& level, const EmitOptions& emitted,
@@ -206,15 +50,34 @@ struct Multiresolution::State
   Interfaces interfaces;
   BuildOptions options;
   std::unique_ptr<HierarchyBuilder> builder;
+  std::unique_ptr<InterfaceTrees> originals; ///< only where interfaces are certified
 
   const Hierarchy& hierarchy() const { return builder->hierarchy(); }
+  bool isCertified() const { return options.nativeElements == NativeElements::Cells; }
+  const InterfaceTrees* certifiedAgainst();
   void grow(Front& front, const Criterion& criterion, double scale, Index maximumNumberOfCells, Progress& progress);
-  Level select(const SelectOptions& select, Progress& progress);
-  Level selectDirect(const SelectOptions& select, Progress& progress);
-  Level selectWithinFinest(const SelectOptions& select, Progress& progress);
+  void split(Front& front, const std::vector<CellId>& cells, Progress& progress);
+  Selection select(const SelectOptions& select, Progress& progress);
+  Selection selectDirect(const SelectOptions& select, Progress& progress);
+  Selection selectWithinFinest(const SelectOptions& select, Progress& progress);
+  void certify(Selection& selection, const Criterion& criterion, Progress& progress);
+  bool refineInterfaces(
+    Front& front, const Criterion& criterion, Index maximumNumberOfCells, Selection& selection, Progress& progress);
+  static void complete(
+    InterfaceCertificate* certificate, const Hierarchy& values, Achieved& achieved, Progress& progress);
   Mesh emitSelected(const SelectOptions& select, const EmitOptions& emitted, Progress& progress);
   Mesh emitFitted(const SelectOptions& select, const EmitOptions& emitted, Progress& progress);
 };
+
+/// The original interfaces where they are certified, else null.
+const InterfaceTrees* Multiresolution::State::certifiedAgainst()
+{
+  if (isCertified() && !originals)
+  {
+    originals = std::make_unique<InterfaceTrees>(interfaces);
+  }
+  return originals.get();
+}
 
 void Multiresolution::State::grow(
   Front& front, const Criterion& criterion, double scale, Index maximumNumberOfCells, Progress& progress)
@@ -232,7 +95,61 @@ void Multiresolution::State::grow(
   }
 }
 
-Level Multiresolution::State::selectDirect(const SelectOptions& select, Progress& progress)
+void Multiresolution::State::split(Front& front, const std::vector<CellId>& cells, Progress& progress)
+{
+  for (std::vector<DiamondId> missing = front.split(hierarchy(), cells); !missing.empty();
+       missing = front.split(hierarchy(), cells))
+  {
+    builder->split(missing, progress);
+  }
+}
+
+/// Measures the interfaces of a level both ways, where that is asked for.
+void Multiresolution::State::certify(Selection& selection, const Criterion& criterion, Progress& progress)
+{
+  if (!isCertified())
+  {
+    return;
+  }
+  if (!selection.certificate)
+  {
+    selection.certificate = std::make_unique<InterfaceCertificate>(*builder, *certifiedAgainst(), criterion);
+  }
+  selection.certificate->measure(hierarchy(), selection.level, progress);
+}
+
+/// Splits cells whose interfaces are too far from the original ones, or the originals from them, until there are none;
+/// false if that takes too many cells. The rounds follow from the first mesh, so the result depends on the options
+/// alone.
+bool Multiresolution::State::refineInterfaces(
+  Front& front, const Criterion& criterion, Index maximumNumberOfCells, Selection& selection, Progress& progress)
+{
+  for (;;)
+  {
+    selection.level = front.level(hierarchy());
+    certify(selection, criterion, progress);
+    const std::vector<CellId> tooCoarse =
+      isCertified() ? selection.certificate->tooCoarse(hierarchy()) : std::vector<CellId>();
+    if (tooCoarse.empty())
+    {
+      return true;
+    }
+    Front finer = front;
+    split(finer, tooCoarse, progress);
+    grow(finer, criterion, 1.0, maximumNumberOfCells, progress);
+    if (finer.cellCount() > maximumNumberOfCells)
+    {
+      return false;
+    }
+    for (const CellId cell : tooCoarse)
+    {
+      selection.raised.push_back({ cell, selection.certificate->error(cell) });
+    }
+    front = std::move(finer);
+  }
+}
+
+Selection Multiresolution::State::selectDirect(const SelectOptions& select, Progress& progress)
 {
   const Criterion criterion(select.bounds, select.interest, options.maximumLevel);
   const bool everythingFits = select.maximumNumberOfCells == std::numeric_limits<Index>::max();
@@ -248,38 +165,57 @@ Level Multiresolution::State::selectDirect(const SelectOptions& select, Progress
     }
     return enough;
   };
-  const bool limited = !fits(1.0);
+  Selection selection;
+  bool limited = !fits(1.0);
   if (limited)
   {
     smallestScale(fits);
+    selection.level = fitting.level(hierarchy());
+    certify(selection, criterion, progress);
   }
-  Level level = fitting.level(hierarchy());
-  level.achieved.boundMet = !resumable || fitting.meetsBounds(hierarchy());
-  level.achieved.stoppedBy = limited ? "maximum number of cells" : "bounds met";
-  return level;
+  else
+  {
+    limited = !refineInterfaces(fitting, criterion, select.maximumNumberOfCells, selection, progress);
+  }
+  Achieved& achieved = selection.level.achieved;
+  achieved.boundMet =
+    (!resumable || fitting.meetsBounds(hierarchy())) && (!selection.certificate || selection.certificate->boundsHold());
+  achieved.stoppedBy = limited ? "maximum number of cells" : "bounds met";
+  return selection;
 }
 
-Level Multiresolution::State::selectWithinFinest(const SelectOptions& select, Progress& progress)
+Selection Multiresolution::State::selectWithinFinest(const SelectOptions& select, Progress& progress)
 {
   SelectOptions finestOptions = select;
   finestOptions.bounds = attainable(finestOf(select), *native);
   finestOptions.maximumNumberOfCells = std::numeric_limits<Index>::max();
-  const Level finest = selectDirect(finestOptions, progress);
+  const Selection finest = selectDirect(finestOptions, progress);
+  std::vector<float> interfaceErrors = hierarchy().interfaceErrors;
+  for (const auto& [cell, error] : finest.raised)
+  {
+    interfaceErrors[static_cast<std::size_t>(cell.value)] = roundedUp(error);
+  }
   const bool accumulate = select.errorMethod == ErrorMethod::Accumulated;
   const auto at = [&](double scale) {
-    return selectSaturated(hierarchy(), finest, scaled(select.bounds, scale), accumulate);
+    return selectSaturated(hierarchy(), finest.level, interfaceErrors, scaled(select.bounds, scale), accumulate);
   };
-  Level level = at(1.0);
-  level.achieved.stoppedBy = "bounds met";
-  if (level.cellCount > select.maximumNumberOfCells)
+  Selection selection;
+  selection.level = at(1.0);
+  const bool limited = selection.level.cellCount > select.maximumNumberOfCells;
+  if (limited)
   {
-    level = at(smallestScale([&](double scale) { return at(scale).cellCount <= select.maximumNumberOfCells; }));
-    level.achieved.stoppedBy = "maximum number of cells";
+    selection.level =
+      at(smallestScale([&](double scale) { return at(scale).cellCount <= select.maximumNumberOfCells; }));
   }
-  return level;
+  certify(selection, Criterion(select.bounds, {}, options.maximumLevel), progress);
+  // The finest level has done what can be done.
+  const bool holds = !selection.certificate || selection.certificate->boundsHold() ||
+                     selection.level.cellCount == finest.level.cellCount;
+  selection.level.achieved.stoppedBy = limited ? "maximum number of cells" : holds ? "bounds met" : "nested errors";
+  return selection;
 }
 
-Level Multiresolution::State::select(const SelectOptions& select, Progress& progress)
+Selection Multiresolution::State::select(const SelectOptions& select, Progress& progress)
 {
   if (!select.interest.everything())
   {
@@ -298,25 +234,51 @@ Level Multiresolution::State::select(const SelectOptions& select, Progress& prog
   return {};
 }
 
+/// Brings the certificate to its end, before ids may change.
+void Multiresolution::State::complete(
+  InterfaceCertificate* certificate, const Hierarchy& values, Achieved& achieved, Progress& progress)
+{
+  if (certificate)
+  {
+    certificate->complete(progress);
+    if (achieved.stoppedBy == "bounds met" && certificate->leavesThinParts(values))
+    {
+      achieved.stoppedBy = "parts of interfaces too thin for the bound";
+    }
+  }
+}
+
 Mesh Multiresolution::State::emitSelected(const SelectOptions& chosen, const EmitOptions& emitted, Progress& progress)
 {
-  Level level = select(chosen, progress);
-  builder->arrange(level);
-  return emitClosed(*builder, hierarchy(), level, emitted, progress);
+  Selection selection = select(chosen, progress);
+  complete(selection.certificate.get(), hierarchy(), selection.level.achieved, progress);
+  builder->arrange(selection.level);
+  Mesh mesh = emitClosed(*builder, hierarchy(), selection.level, emitted, progress);
+  if (selection.certificate)
+  {
+    selection.certificate->writeErrors(mesh);
+  }
+  return mesh;
 }
 
 Mesh Multiresolution::State::emitFitted(const SelectOptions& select, const EmitOptions& emitted, Progress& progress)
 {
   FitOptions fit;
   fit.maximumLevel = options.maximumLevel;
-  FittedLevel fitted = fitLevel(*builder, select.bounds, fit, progress);
+  FittedLevel fitted = fitLevel(*builder, certifiedAgainst(), select.bounds, fit, progress);
   fitted.level.achieved.stoppedBy = "bounds met";
-  return emitClosed(*builder, fitted.values, fitted.level, emitted, progress);
+  complete(fitted.certificate.get(), fitted.values, fitted.level.achieved, progress);
+  Mesh mesh = emitClosed(*builder, fitted.values, fitted.level, emitted, progress);
+  if (fitted.certificate)
+  {
+    fitted.certificate->writeErrors(mesh);
+  }
+  return mesh;
 }
 
 Multiresolution::Multiresolution(
   std::shared_ptr<const NativeData> native, Interfaces interfaces, const BuildOptions& options) :
-  state_(new State{ std::move(native), std::move(interfaces), options, nullptr })
+  state_(new State{ std::move(native), std::move(interfaces), options, nullptr, nullptr })
 {}
 
 Multiresolution::~Multiresolution() = default;

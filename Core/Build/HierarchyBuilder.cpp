@@ -310,6 +310,30 @@ CellRows HierarchyBuilder::rows(CellId cell) const
   return rows;
 }
 
+std::vector<InterfacePiece> HierarchyBuilder::interfacePieces(CellId cell) const
+{
+  const Barycentric barycentric(cornerPositions(hierarchy_, cell));
+  const CellElements elements = gatherElements(cell);
+  std::vector<InterfacePiece> pieces;
+  for (std::uint32_t i = 0; i < elements.triangleCount(); ++i)
+  {
+    const std::uint32_t triangle = elements.triangles()[i];
+    const auto& [a, b, c] = interfaces_.triangles[triangle];
+    const std::vector<Vector>& points = interfaces_.points;
+    const ClippedTriangle clipped(
+      barycentric, { points[static_cast<std::size_t>(a)], points[static_cast<std::size_t>(b)],
+                     points[static_cast<std::size_t>(c)] });
+    if (!clipped.empty())
+    {
+      const auto pair = static_cast<std::size_t>(interfaces_.pairOfTriangle[triangle]);
+      const InterfaceElements::Pair& materials = interfaces_.pairs[pair];
+      pieces.push_back(
+        { UnorderedPair::of(materials.positive, materials.negative), { clipped.begin(), clipped.end() } });
+    }
+  }
+  return pieces;
+}
+
 CellErrors HierarchyBuilder::errors(const Hierarchy& values, CellId cell) const
 {
   return errorsOf(values, cell, Barycentric(cornerPositions(hierarchy_, cell)), gatherElements(cell));

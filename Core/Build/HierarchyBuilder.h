@@ -4,6 +4,7 @@
 #include "Build/CellErrors.h"
 #include "Build/VertexValues.h"
 #include "Model/CellRows.h"
+#include "Model/InterfacePiece.h"
 #include "Model/Level.h"
 #include "Model/Progress.h"
 
@@ -33,6 +34,9 @@ public:
   CellRows rows(CellId cell) const;
   /// A cell's own errors with other values at the vertices: `values` is this hierarchy but for those.
   CellErrors errors(const Hierarchy& values, CellId cell) const;
+
+  /// The parts of the original interface triangles within a cell.
+  std::vector<InterfacePiece> interfacePieces(CellId cell) const;
 
   /// The values of any material at a vertex, in the layout of Hierarchy::values.
   std::vector<float> valuesAt(VertexId vertex, MaterialId m) const;

@@ -223,7 +223,7 @@ void groundDistances(Hierarchy& values, VertexId vertex)
 }
 
 void fitValues(Hierarchy& values, const std::vector<CellId>& cells, const std::vector<CellRows>& rows,
-  const ErrorBounds& bounds, int sweeps, Progress& progress)
+  const std::vector<std::uint8_t>& fixed, const ErrorBounds& bounds, int sweeps, Progress& progress)
 {
   std::vector<double> errors(cells.size());
   for (int sweep = 0; sweep < sweeps; ++sweep)
@@ -236,6 +236,10 @@ void fitValues(Hierarchy& values, const std::vector<CellId>& cells, const std::v
       tbb::parallel_for(std::size_t{ 0 }, color.size(), [&](std::size_t i) {
         progress.check();
         const std::size_t star = color[i];
+        if (fixed[static_cast<std::size_t>(stars.vertex(star).value)])
+        {
+          return;
+        }
         VertexFit(values, cells, rows, bounds, stars.vertex(star), stars.cellsAt(star)).run();
         groundDistances(values, stars.vertex(star));
       });

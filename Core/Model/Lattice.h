@@ -35,6 +35,8 @@ struct Lattice
 {
   static constexpr int octaves = 20;
   static constexpr std::int32_t cubeSize = 1 << octaves;
+  /// Bisections below the base mesh after which an edge would be cut between lattice points.
+  static constexpr int maximumLevel = 3 * octaves - 1;
   /// Keeps every coordinate within 31 bits.
   static constexpr int maximumCubes = 1024;
 

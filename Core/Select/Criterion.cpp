@@ -35,7 +35,7 @@ Ball ballRound(const Hierarchy& hierarchy, CellId id)
 
 Criterion::Criterion(ErrorBounds bounds, Interest interest, int maximumLevel) :
   bounds_(std::move(bounds)), interest_(std::move(interest)), everything_(interest_.everything()),
-  maximumLevel_(maximumLevel)
+  maximumLevel_(std::min(maximumLevel, Lattice::maximumLevel))
 {
   if (interest_.view)
   {
@@ -72,6 +72,11 @@ Criterion::Demand Criterion::demandAt(const Hierarchy& hierarchy, CellId cell) c
     demand.interfaceError = std::max(demand.interfaceError, view.pixelBound / pixels);
   }
   return demand;
+}
+
+double Criterion::interfaceBound(const Hierarchy& hierarchy, CellId cell) const
+{
+  return demandAt(hierarchy, cell).interfaceError;
 }
 
 float Criterion::ratio(const Hierarchy& hierarchy, CellId cell) const

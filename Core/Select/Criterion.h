@@ -21,8 +21,12 @@ public:
   /// Whether a cell is too coarse and not on the maximum level.
   bool mustSplit(const Hierarchy& hierarchy, CellId cell, double scale) const
   {
-    return hierarchy.cell(cell).level < maximumLevel_ && exceeds(hierarchy, cell, scale);
+    return maySplit(hierarchy.cell(cell)) && exceeds(hierarchy, cell, scale);
   }
+  /// Whether a cell is not on the maximum level.
+  bool maySplit(const HierarchyCell& cell) const { return cell.level < maximumLevel_; }
+  /// The interface error that a cell may have; infinite where nobody is interested.
+  double interfaceBound(const Hierarchy& hierarchy, CellId cell) const;
 
 private:
   bool exceeds(const Hierarchy& hierarchy, CellId cell, double scale) const

@@ -91,7 +91,12 @@ std::vector<DiamondId> Front::split(const Hierarchy& hierarchy, const std::vecto
   }
   for (const DiamondId id : splitLast_)
   {
-    hierarchy.forCellsOf(id, [&](CellId) { ++cellCount_; });
+    hierarchy.forCellsOf(id, [&](CellId c) {
+      const CellId child = hierarchy.cell(c).firstChild;
+      waiting_.push_back(child);
+      waiting_.push_back(CellId(child.value + 1));
+      ++cellCount_;
+    });
   }
   splitLast_.clear();
   return missing_;

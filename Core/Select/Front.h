@@ -22,7 +22,7 @@ public:
   std::vector<DiamondId> advance(
     const Hierarchy& hierarchy, const Criterion& criterion, double scale, Index maximumNumberOfCells);
 
-  /// Splits the given cells of the mesh, and what conformity needs besides; their children are not looked at.
+  /// Splits the given cells of the mesh, and what conformity needs besides; `advance` looks at their children.
   /// Returns the diamonds that have to be built before it can be called again with the same cells: none when
   /// it is done.
   std::vector<DiamondId> split(const Hierarchy& hierarchy, const std::vector<CellId>& cells);
@@ -78,7 +78,7 @@ private:
   std::vector<std::uint8_t> active_; ///< State of each diamond
   std::vector<DiamondId> tooCoarse_; ///< diamonds to be split
   std::vector<DiamondId> splitLast_; ///< diamonds that have just been split
-  std::vector<CellId> waiting_;      ///< cells to be split whose diamonds have to be built before
+  std::vector<CellId> waiting_;      ///< cells to be looked at next: their diamonds have to be built before, or are new
   std::vector<RestingCell> resting_; ///< some of them split since
   std::vector<DiamondId> missing_;
   bool resumable_;

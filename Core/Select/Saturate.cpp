@@ -71,14 +71,14 @@ void addChangeAtSplitVertex(const Hierarchy& hierarchy, CellId id, float* errors
   }
 }
 
-ErrorTable cellErrors(const Hierarchy& hierarchy)
+ErrorTable cellErrors(const Hierarchy& hierarchy, const std::vector<float>& interfaceErrors)
 {
   const std::size_t fields = hierarchy.fields.size();
   ErrorTable table{ 1 + fields, std::vector<float>(hierarchy.cells.size() * (1 + fields)) };
   for (std::size_t c = 0; c < hierarchy.cells.size(); ++c)
   {
     float* errors = table.of(static_cast<std::int32_t>(c));
-    errors[0] = hierarchy.interfaceErrors[c];
+    errors[0] = interfaceErrors[c];
     std::copy_n(hierarchy.fieldErrors.begin() + static_cast<std::ptrdiff_t>(c * fields), fields, errors + 1);
   }
   return table;
@@ -99,9 +99,10 @@ void accumulateInto(const Hierarchy& hierarchy, CellId id, ErrorTable& cells)
 }
 }
 
-Level selectSaturated(const Hierarchy& hierarchy, const Level& finest, const ErrorBounds& bounds, bool accumulate)
+Level selectSaturated(const Hierarchy& hierarchy, const Level& finest, const std::vector<float>& interfaceErrors,
+  const ErrorBounds& bounds, bool accumulate)
 {
-  ErrorTable cells = cellErrors(hierarchy);
+  ErrorTable cells = cellErrors(hierarchy, interfaceErrors);
   const std::size_t criteria = cells.criteria;
   ErrorTable diamonds{ criteria, std::vector<float>(hierarchy.diamonds.size() * criteria, 0.0f) };
   std::vector<double> limits(criteria, bounds.interfaceError);
