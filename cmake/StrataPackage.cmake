@@ -1,7 +1,8 @@
 # cpack: a .deb for Debian's ParaView and a .tar.gz with the same files.
 set(CPACK_GENERATOR DEB TGZ)
 set(CPACK_PACKAGE_NAME paraview-strata)
-set(CPACK_PACKAGE_CONTACT "Strata developers <strata@example.org>")
+# A name alone: the project has no address of its own.
+set(CPACK_PACKAGE_CONTACT "The Strata developers")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}: a ParaView plugin")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

@@ -10,17 +10,18 @@
 
 namespace
 {
-constexpr std::array<double, 3> grey{ 0.72, 0.72, 0.72 };
+/// For what is no single category: cells with several materials.
+constexpr std::array<double, 3> mixed{ 0.85, 0.75, 0.25 };
 constexpr std::array<double, 3> nearlyWhite{ 0.93, 0.93, 0.93 };
 constexpr std::array<std::array<double, 3>, 12> palette{ { { 0.90, 0.42, 0.18 }, { 0.35, 0.60, 0.83 },
-  { 0.47, 0.72, 0.42 }, { 0.84, 0.72, 0.26 }, { 0.62, 0.44, 0.75 }, { 0.20, 0.63, 0.62 }, { 0.86, 0.45, 0.63 },
+  { 0.47, 0.72, 0.42 }, { 0.55, 0.85, 0.80 }, { 0.62, 0.44, 0.75 }, { 0.20, 0.63, 0.62 }, { 0.86, 0.45, 0.63 },
   { 0.55, 0.40, 0.29 }, { 0.16, 0.36, 0.62 }, { 0.70, 0.20, 0.22 }, { 0.66, 0.79, 0.90 }, { 0.37, 0.49, 0.16 } } };
 
 std::array<double, 3> colorOf(int category, bool plain)
 {
   if (category < 0 || plain)
   {
-    return plain ? nearlyWhite : grey;
+    return plain ? nearlyWhite : mixed;
   }
   const std::size_t count = palette.size();
   std::array<double, 3> color = palette[static_cast<std::size_t>(category) % count];

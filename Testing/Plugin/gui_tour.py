@@ -3,7 +3,7 @@
 DATA holds the further data sets (cth, openfoam). Filters are applied from the menu, bounds and budget are changed, the
 plane is dragged, a run is cancelled, a state is saved and loaded. Each time the window comes to rest, its picture goes
 into the folder PICTURES, to be looked at. Run it under scripts/with-display, with the plugin installed, or with
-STRATA_PLUGIN naming its library. xdotool presses the button that cancels.
+STRATA_PLUGIN naming its library. xdotool presses the buttons that events can't.
 """
 import os
 import subprocess
@@ -20,8 +20,11 @@ PANEL = (f"{MAIN}/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewpo
          "PropertiesFrame/ProxyPanel")
 PLANE = f"{PANEL}/SliceType/ProxySelectionWidget/frame/ChosenProxyWidget/InteractivePlane"
 VIEW = f"{MAIN}/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1/Container"
-ABORT = (1254, 985)  # where the button that cancels is, in a window of that size
 REST = 1.5  # seconds without a change
+PATIENCE = 240  # seconds for a tour
+# What no event can do, since the window listens to no events then: the button that cancels, at its place in the window,
+# and the dialog's default button. Done again and again once the window has rested.
+BY_HAND = {"cancelled": ("mousemove", "428", "985", "click", "1"), "reloaded": ("key", "Return")}
 
 
 def event(widget, command, arguments=""):
@@ -51,7 +54,7 @@ def set_number(name, value):
 
 def select(*path):
     """Makes a source of the pipeline browser active, by its place in the tree."""
-    return event(f"{MAIN}/pipelineBrowserDock/pipelineBrowser", "setCurrent", ".".join(f"{row}.0" for row in path) + ".")
+    return event(f"{MAIN}/pipelineBrowserDock/pipelineBrowser", "currentChanged", "/".join(map(str, path)) + "|0")
 
 
 def look_along_y():
@@ -59,11 +62,12 @@ def look_along_y():
 
 
 def companions(representation):
-    """Every filter that takes a representation."""
+    """Every filter that takes a representation alone; the last, a slice, stays."""
     steps = ""
-    for name in ("MaterialSlice", "MaterialContour", "ExtractMaterials", "RepresentedInterfaces"):
+    for name in ("MaterialContour", "ExtractMaterials", "RepresentedInterfaces"):
         steps += select(*representation) + add_filter(name) + apply()
-    return steps
+        steps += event(f"{MAIN}/propertiesDock/propertiesPanel/Delete", "activate")
+    return steps + select(*representation) + add_filter("MaterialSlice") + apply()
 
 
 def cth(data, state):
@@ -72,15 +76,15 @@ def cth(data, state):
         f"{PANEL}/MaximumNumberOfCells/IntRangeWidget/LineEdit", "set_string", "20000")
     return {
         "cth": open_file(data / "cth/cth.vtr") + apply() + add_filter("MaterialInterfaces") + apply()
-        + select(0, 0) + add_filter("MultiresolutionTetrahedra") + set_number("InterfaceErrorBound", 0.5) + apply()
-        + event(f"{PANEL}/InterfaceErrorBound/DoubleRangeWidget/Slider", "set_int", "40") + apply()
-        + companions((0, 0, 1)) + select(0, 0, 1, 0)
+        + event(f"{MAIN}/propertiesDock/propertiesPanel/Delete", "activate") + select(0, 0) + add_filter("MultiresolutionTetrahedra") + set_number("InterfaceErrorBound", 0.5) + apply()
+        + event(f"{PANEL}/InterfaceErrorBound/DoubleRangeWidget/Slider", "set_int", "40") + budget + apply()
+        + companions((0, 0, 0))
         + event(f"{PLANE}/useYNormal", "activate") + pause(1.5) + apply() + look_along_y()
         + event(f"{MAIN}/menubar/menu_File", "activate", "actionFileSaveServerState")
         + event(f"{MAIN}/FileSaveServerStateDialog", "filesSelected", str(state)) + pause(2.0),
         "reloaded": event(f"{MAIN}/menubar/menu_File", "activate", "actionFileLoadServerState")
         + event(f"{MAIN}/FileLoadServerStateDialog", "filesSelected", str(state)) + pause(2.0)
-        + event(f"{MAIN}/vtkSMLoadStateOptionsProxyDialog/OK", "activate") + pause(8.0),
+        + pause(20.0),
     }
 
 
@@ -128,12 +132,15 @@ def play(paraview, name, events, folder):
     with tempfile.NamedTemporaryFile("w", suffix=".xml", delete=False) as file:
         file.write(f'<?xml version="1.0" ?>\n<pqevents>\n{events}</pqevents>\n')
     process = start(paraview, file.name)
-    film, pressing = Film(folder, name), False
+    film, pressing, end = Film(folder, name), False, time.monotonic() + PATIENCE
     while process.poll() is None:
         rested = film.look()
-        pressing = pressing or (name == "cancelled" and film.count > 0 and rested > 4.0)
+        pressing = pressing or (name in BY_HAND and film.count > 0 and rested > 4.0)
         if pressing:
-            subprocess.run(["xdotool", "mousemove", *map(str, ABORT), "click", "1"], check=True)
+            subprocess.run(["xdotool", *BY_HAND[name]], check=True)
+        if time.monotonic() > end:
+            print(f"ERROR: the tour {name} doesn't end")
+            process.kill()
         time.sleep(0.25)
     os.unlink(file.name)
     print(f"{name}: {film.count} pictures, ParaView ended with {process.returncode}")
