@@ -89,7 +89,7 @@ def cth(data, state):
 
 def dam_break(data):
     return {"openfoam": open_file(data) + apply() + add_filter("MultiresolutionTetrahedra") + apply()
-            + companions((0, 0))}
+            + companions((0, 0, 0))}
 
 
 class Film:
