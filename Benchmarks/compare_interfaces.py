@@ -194,7 +194,8 @@ def plane_of(polygon):
 
 
 METHODS = {"Strata, corrected": lambda case: strata(case, True),
-           "Strata, uncorrected": lambda case: strata(case, False), "Contour, once per material": contour, "Extract CTH Parts": cth_parts, "Youngs": youngs}
+           "Strata, uncorrected": lambda case: strata(case, False),
+           "Contour, once per material": contour, "Extract CTH Parts": cth_parts, "Youngs": youngs}
 
 
 def run(data_folder, _output_folder):

@@ -1,9 +1,5 @@
 #include "Extract/CellCutter.h"
 
-#include <Eigen/Geometry>
-
-#include <algorithm>
-
 namespace strata
 {
 std::uint8_t CellCutter::only(std::int32_t cell) const
@@ -27,110 +23,96 @@ std::uint8_t CellCutter::only(std::int32_t cell) const
   return winner;
 }
 
-std::size_t CellCutter::Regions::of(std::uint8_t material)
-{
-  const auto found = std::find(materials.begin(), materials.end(), material);
-  if (found != materials.end())
-  {
-    return static_cast<std::size_t>(found - materials.begin());
-  }
-  materials.push_back(material);
-  volumes.push_back(0.0);
-  derivatives.resize(derivatives.size() + MaterialSet::capacity, 0.0);
-  return materials.size() - 1;
-}
-
-void CellCutter::Regions::clear()
-{
-  materials.clear();
-  volumes.clear();
-  derivatives.clear();
-  total = 0.0;
-}
-
-bool CellCutter::gather(const std::array<std::int32_t, 4>& vertices)
+bool CellCutter::compete(const std::array<int, 4>& rows)
 {
   functions_.clear();
-  std::uint64_t present = 0;
-  const std::uint8_t first = winners_[vertices[0]];
-  bool same = true;
-  for (std::int32_t vertex : vertices)
+  slots_.clear();
+  const int count = table_.count();
+  for (int i = 0; i < count; ++i)
   {
-    same = same && winners_[vertex] == first;
-    for (Index i = values_.start[vertex]; i < values_.start[vertex + 1]; ++i)
+    // What is beaten by one other at all corners wins nowhere.
+    bool beaten = false;
+    for (int j = 0; j < count && !beaten; ++j)
     {
-      present |= std::uint64_t{ 1 } << values_.materials[i];
+      beaten = true;
+      for (int corner = 0; corner < 4 && beaten; ++corner)
+      {
+        const double* values = table_.row(rows[corner]);
+        beaten = values[i] < values[j];
+      }
     }
-  }
-  if (same)
-  {
-    functions_.push_back({ first, {} });
-    return false;
-  }
-  for (std::uint64_t rest = present; rest != 0; rest &= rest - 1)
-  {
-    const auto material = static_cast<std::uint8_t>(__builtin_ctzll(rest));
-    CornerValues function;
-    function.function = material;
-    for (int corner = 0; corner < 4; ++corner)
+    if (!beaten)
     {
-      function.values[corner] = -values_.at(vertices[corner], material);
-    }
-    functions_.push_back(function);
-  }
-  // What is beaten by one other at all corners wins nowhere.
-  std::uint64_t beaten = 0;
-  for (std::size_t i = 0; i < functions_.size(); ++i)
-  {
-    for (std::size_t j = 0; j < functions_.size(); ++j)
-    {
-      bool everywhere = true;
+      functions_.push_back({ table_.materials()[i], {} });
+      slots_.push_back(i);
       for (int corner = 0; corner < 4; ++corner)
       {
-        everywhere = everywhere && functions_[j].values[corner] < functions_[i].values[corner];
+        functions_.back().values[corner] = -table_.row(rows[corner])[i];
       }
-      beaten |= everywhere ? std::uint64_t{ 1 } << i : 0;
     }
   }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < functions_.size(); ++i)
-  {
-    if (((beaten >> i) & 1u) == 0)
-    {
-      functions_[kept++] = functions_[i];
-    }
-  }
-  functions_.resize(kept);
   return functions_.size() > 1;
 }
 
-void CellCutter::volumes(std::int32_t cell, Regions& regions)
+void CellCutter::volumes(std::int32_t cell, Regions& regions, Rise rise)
 {
-  regions.clear();
-  complex_.forEachTetrahedron(cell, [&](std::int32_t c, std::int32_t f, std::int32_t a, std::int32_t b) {
-    const Vector& apex = complex_.positions[c];
-    const Vector u = complex_.positions[f] - apex;
-    const double volume = u.dot((complex_.positions[a] - apex).cross(complex_.positions[b] - apex)) / 6.0;
-    regions.total += volume;
-    if (!gather({ c, f, a, b }))
+  table_.gather(cell);
+  const auto count = static_cast<std::size_t>(table_.count());
+  regions.materials = table_.materials();
+  regions.volumes.assign(count, 0.0);
+  regions.derivatives.assign(count * count, 0.0);
+  regions.total = 0.0;
+  table_.forEachTetrahedron([&](double volume, int, int, int) { regions.total += volume; });
+  if (count == 1)
+  {
+    regions.volumes[0] = regions.total;
+  }
+  else if (count == 2 && rise == Rise::Everywhere)
+  {
+    halve(regions);
+  }
+  else
+  {
+    share(regions, rise);
+  }
+}
+
+void CellCutter::halve(Regions& regions) const
+{
+  const auto lead = [this](int row) { return table_.row(row)[1] - table_.row(row)[0]; };
+  double first = 0.0;
+  double growth = 0.0;
+  table_.forEachTetrahedron([&](double volume, int f, int a, int b) {
+    const NegativePart part = negativePart({ lead(0), lead(f), lead(a), lead(b) });
+    first += volume * part.volume;
+    growth += volume * part.derivative;
+  });
+  regions.volumes = { first, regions.total - first };
+  regions.derivatives = { growth, -growth, -growth, growth };
+}
+
+void CellCutter::share(Regions& regions, Rise rise)
+{
+  const auto materialCount = regions.materials.size();
+  table_.forEachTetrahedron([&](double volume, int f, int a, int b) {
+    if (!compete({ 0, f, a, b }))
     {
-      regions.volumes[regions.of(static_cast<std::uint8_t>(functions_[0].function))] += volume;
+      regions.volumes[slots_[0]] += volume;
       return;
     }
     const std::size_t count = functions_.size();
     tetrahedronVolumes_.resize(count);
     tetrahedronDerivatives_.resize(count * count);
-    regionVolumesAndDerivatives(
+    const auto measure = rise == Rise::Everywhere ? regionVolumesAndDerivatives : regionVolumesAndCornerDerivatives;
+    measure(
       functions_.data(), static_cast<int>(count), cut_, tetrahedronVolumes_.data(), tetrahedronDerivatives_.data());
     for (std::size_t i = 0; i < count; ++i)
     {
-      const std::size_t region = regions.of(static_cast<std::uint8_t>(functions_[i].function));
-      regions.volumes[region] += volume * tetrahedronVolumes_[i];
+      regions.volumes[slots_[i]] += volume * tetrahedronVolumes_[i];
       for (std::size_t j = 0; j < count; ++j)
       {
         // The functions are minus the values.
-        regions.derivatives[region * MaterialSet::capacity + static_cast<std::size_t>(functions_[j].function)] -=
-          volume * tetrahedronDerivatives_[count * i + j];
+        regions.derivatives[materialCount * slots_[i] + slots_[j]] -= volume * tetrahedronDerivatives_[count * i + j];
       }
     }
   });
@@ -154,17 +136,17 @@ void CellCutter::addPolygon(const TetrahedronCut::Face& face, std::uint8_t front
   }
 }
 
-void CellCutter::addTetrahedron(
-  const std::array<std::int32_t, 4>& vertices, bool atOutside, std::uint8_t outside, SurfacePatch& patch)
+void CellCutter::addTetrahedron(const std::array<std::int32_t, 4>& vertices, const std::array<int, 4>& rows,
+  std::optional<std::uint8_t> outside, SurfacePatch& patch)
 {
-  const bool mixed = gather(vertices);
+  const bool mixed = compete(rows);
   const auto winner = static_cast<std::uint8_t>(functions_[0].function);
   if (!mixed)
   {
-    if (atOutside && winner != outside)
+    if (outside && winner != *outside)
     {
       const auto number = [&](int i) { return patch.addPoint(complex_.positions[vertices[i]]); };
-      patch.addTriangle(outside, winner, { number(1), number(2), number(3) });
+      patch.addTriangle(*outside, winner, { number(1), number(2), number(3) });
     }
     return;
   }
@@ -177,9 +159,9 @@ void CellCutter::addTetrahedron(
     {
       addPolygon(face, static_cast<std::uint8_t>(face.beyond), patch);
     }
-    else if (atOutside && face.beyond == -1 && face.function != outside) // opposite to the cell's centre
+    else if (outside && face.beyond == -1 && face.function != *outside) // opposite to the cell's centre
     {
-      addPolygon(face, outside, patch);
+      addPolygon(face, *outside, patch);
     }
   }
 }
@@ -187,13 +169,12 @@ void CellCutter::addTetrahedron(
 void CellCutter::addInterfaces(
   std::int32_t cell, const std::vector<std::uint8_t>& facesOutside, std::uint8_t outside, SurfacePatch& patch)
 {
-  for (std::int32_t i = complex_.cellFaceStart[cell]; i < complex_.cellFaceStart[cell + 1]; ++i)
-  {
-    const CellComplex::OrientedFace oriented = complex_.cellFaces[i];
-    const bool atOutside = !facesOutside.empty() && facesOutside[oriented.face] != 0;
-    complex_.forEachTriangle(oriented, [&](std::int32_t center, std::int32_t a, std::int32_t b) {
-      addTetrahedron({ complex_.cellVertex(cell), center, a, b }, atOutside, outside, patch);
-    });
-  }
+  table_.gather(cell);
+  table_.forEachTetrahedron([&](double, int f, int a, int b) {
+    const std::int32_t faceVertex = table_.vertex(f);
+    const bool atOutside = !facesOutside.empty() && facesOutside[faceVertex - complex_.nodeCount()] != 0;
+    addTetrahedron({ table_.vertex(0), faceVertex, table_.vertex(a), table_.vertex(b) }, { 0, f, a, b },
+      atOutside ? std::optional(outside) : std::nullopt, patch);
+  });
 }
 }

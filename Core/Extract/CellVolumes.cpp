@@ -70,8 +70,7 @@ void CellVolumes::measure(std::int32_t cell)
     state.volumes.push_back({ regions.materials[i], regions.volumes[i] });
     for (std::size_t j = 0; j < count; ++j)
     {
-      state.slopes(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-        regions.derivatives[i * MaterialSet::capacity + regions.materials[j]];
+      state.slopes(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = regions.derivatives[i * count + j];
     }
   }
 }

@@ -35,6 +35,7 @@ public:
 
   const CellVolume& operator[](std::int32_t cell) const { return cells_[cell]; }
   std::uint8_t winner(std::int32_t vertex) const { return winners_[vertex]; }
+  const std::vector<std::uint8_t>& winners() const { return winners_; }
 
 private:
   void measure(std::int32_t cell);

@@ -2,6 +2,7 @@
 
 #include "Extract/CellVolumes.h"
 #include "Extract/ForEach.h"
+#include "Extract/SettleCells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +12,8 @@ namespace strata
 {
 namespace
 {
-constexpr int maximumSweeps = 40;
-/// Sweeping ends as well when this many sweeps leave more than this part of the errors, but not before the first
-/// ones: calling regions back costs errors at first.
-constexpr int firstSweeps = 25;
-constexpr int stallSweeps = 5;
-constexpr double stallRatio = 0.97;
+/// What is left then, the centres of the cells settle.
+constexpr int maximumSweeps = 20;
 /// Errors as parts of a cell's volume: a cell below the first asks for nothing; sweeps end when all are below the
 /// second; a region that is missing is not called back below the third.
 constexpr double quietError = 1e-4;
@@ -46,24 +43,16 @@ public:
   void run()
   {
     update();
-    double previous = std::numeric_limits<double>::infinity();
-    for (int sweep = 0; sweep < maximumSweeps; ++sweep)
+    for (int sweep = 0; sweep < maximumSweeps && largestError() >= cellTolerance; ++sweep)
     {
       progress_.update(static_cast<double>(sweep) / maximumSweeps);
-      const Errors errors = sumErrors();
-      const bool checkpoint = sweep % stallSweeps == 0;
-      if (errors.largest < cellTolerance || (checkpoint && sweep >= firstSweeps && errors.sum > stallRatio * previous))
-      {
-        break;
-      }
-      previous = checkpoint ? errors.sum : previous;
       applySteps();
       update();
     }
-    for (int pass = 0; pass < 2; ++pass)
-    {
-      balanceTotals();
-    }
+    balanceTotals();
+    settleCells(complex_, volumes_, volumes_.winners(), values_, changed_, progress_);
+    update();
+    balanceTotals();
   }
 
 private:
@@ -73,12 +62,6 @@ private:
     std::vector<Share> steps; ///< changes of the materials' values at its vertices
     double error = 0.0;       ///< largest error of a material over the cell's volume
   };
-  struct Errors
-  {
-    double largest = 0.0;
-    double sum = 0.0;
-  };
-
   /// Vertices that cells outside the complex share stay: those cells are not looked at.
   void findFixed(const GridTopology& topology)
   {
@@ -209,15 +192,14 @@ private:
     return weights > 0.0 ? sum / weights : 0.0;
   }
 
-  Errors sumErrors() const
+  double largestError() const
   {
-    Errors errors;
+    double largest = 0.0;
     for (const Request& request : requests_)
     {
-      errors.largest = std::max(errors.largest, request.error);
-      errors.sum += request.error;
+      largest = std::max(largest, request.error);
     }
-    return errors;
+    return largest;
   }
 
   /// Raises each material everywhere by what its total volume still lacks.

@@ -16,15 +16,20 @@ int positionOf(const CornerValues* functions, int count, int function)
   }) - functions);
 }
 
-/// Sums the determinants with `apex` of a fan over each face.
-double fan(const TetrahedronCut& cut, const TetrahedronCut::Face& face, const Coordinates& apex)
+/// Sums the determinants with `apex` of a fan over a face; each times the mean of a coordinate over its triangle,
+/// if one is given.
+double fan(const TetrahedronCut& cut, const TetrahedronCut::Face& face, const Coordinates& apex, int coordinate = -1)
 {
   const int* loop = cut.loops().data();
   const std::vector<Coordinates>& at = cut.coordinates();
   double sum = 0.0;
   for (int i = face.begin + 1; i + 1 < face.end; ++i)
   {
-    sum += volumeFraction(apex, at[loop[face.begin]], at[loop[i]], at[loop[i + 1]]);
+    const Coordinates& a = at[loop[face.begin]];
+    const Coordinates& b = at[loop[i]];
+    const Coordinates& c = at[loop[i + 1]];
+    const double weight = coordinate < 0 ? 1.0 : (a[coordinate] + b[coordinate] + c[coordinate]) / 3.0;
+    sum += weight * volumeFraction(apex, a, b, c);
   }
   return cut.reversed() ? -sum : sum;
 }
@@ -61,14 +66,6 @@ Coordinates unitStep(const CornerValues& fi, const CornerValues& fj)
   return step;
 }
 
-/// Volume of the part of the tetrahedron where a linear function is not positive, as a fraction, and how it grows
-/// when a constant is subtracted from the function.
-struct NegativePart
-{
-  double volume = 0.0;
-  double derivative = 0.0;
-};
-
 /// The part near a lone corner with value v <= 0 among others a, b, c > 0.
 NegativePart nearCorner(double v, double a, double b, double c)
 {
@@ -86,6 +83,39 @@ NegativePart wedge(double a, double b, double c, double d)
   const double volume = ac * ad + (1.0 - ac) * ad * bc + (1.0 - ad) * bc * bd;
   const double area = ac * (1.0 - bd) + (1.0 - ac) * (1.0 - bd) * bc + ac * bd * (1.0 - bc);
   return { volume, 3.0 * area / (d - a) };
+}
+
+NegativePart firstOfTwo(const CornerValues* functions)
+{
+  std::array<double, 4> difference;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    difference[corner] = functions[0].values[corner] - functions[1].values[corner];
+  }
+  return negativePart(difference);
+}
+
+/// For constants added at all corners, or at one alone: a point of an interface then moves as that corner's share in
+/// it.
+void addDerivatives(
+  const CornerValues* functions, int count, const TetrahedronCut& cut, double* derivatives, int corner = -1)
+{
+  for (const TetrahedronCut::Face& face : cut.faces())
+  {
+    if (!face.isInterface())
+    {
+      continue;
+    }
+    const int i = positionOf(functions, count, face.function);
+    const int j = positionOf(functions, count, face.beyond);
+    // The polygon sweeps prisms of three times the tetrahedron over each triangle and the step.
+    const double swept = 3.0 * std::abs(fan(cut, face, unitStep(functions[i], functions[j]), corner));
+    derivatives[count * i + j] += swept;
+    derivatives[count * j + i] += swept;
+    derivatives[count * i + i] -= swept;
+    derivatives[count * j + j] -= swept;
+  }
+}
 }
 
 NegativePart negativePart(std::array<double, 4> g)
@@ -107,36 +137,6 @@ NegativePart negativePart(std::array<double, 4> g)
     default:
       return { 1.0, 0.0 };
   }
-}
-
-NegativePart firstOfTwo(const CornerValues* functions)
-{
-  std::array<double, 4> difference;
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    difference[corner] = functions[0].values[corner] - functions[1].values[corner];
-  }
-  return negativePart(difference);
-}
-
-void addDerivatives(const CornerValues* functions, int count, const TetrahedronCut& cut, double* derivatives)
-{
-  for (const TetrahedronCut::Face& face : cut.faces())
-  {
-    if (!face.isInterface())
-    {
-      continue;
-    }
-    const int i = positionOf(functions, count, face.function);
-    const int j = positionOf(functions, count, face.beyond);
-    // The polygon sweeps prisms of three times the tetrahedron over each triangle and the step.
-    const double swept = 3.0 * std::abs(fan(cut, face, unitStep(functions[i], functions[j])));
-    derivatives[count * i + j] += swept;
-    derivatives[count * j + i] += swept;
-    derivatives[count * i + i] -= swept;
-    derivatives[count * j + j] -= swept;
-  }
-}
 }
 
 double volumeFraction(const std::array<double, 4>& a, const std::array<double, 4>& b, const std::array<double, 4>& c,
@@ -193,5 +193,14 @@ void regionVolumesAndDerivatives(
   {
     addDerivatives(functions, count, workspace, derivatives);
   }
+}
+
+void regionVolumesAndCornerDerivatives(
+  const CornerValues* functions, int count, TetrahedronCut& workspace, double* volumes, double* derivatives)
+{
+  std::fill(derivatives, derivatives + count * count, 0.0);
+  workspace.cut({ 0, 1, 2, 3 }, functions, count);
+  addVolumes(functions, count, workspace, volumes);
+  addDerivatives(functions, count, workspace, derivatives, 0);
 }
 }

@@ -39,6 +39,37 @@ TEST(Extract, RandomPlanesKeepTheirPlaceAndVolume)
   }
 }
 
+TEST(Extract, PlanesInAFinerGridKeepTheVolumeOfEveryCell)
+{
+  std::mt19937 random(8);
+  std::normal_distribution<double> normals;
+  const int n = 16;
+  for (int seed = 0; seed < 5; ++seed)
+  {
+    const Vector normal = Vector(normals(random), normals(random), normals(random)).normalized();
+    const Vector point = Vector::Constant(0.5);
+    const ExtractedInterfaces result = extract(fractionSimulation(cubeGrid(n), 2, belowPlane(normal, point)));
+    EXPECT_LT(largestCellError(result, 1.0 / (n * n * n)), 1e-3) << "seed " << seed;
+    EXPECT_NEAR(result.volumes[0].reconstructed / result.volumes[0].given, 1.0, 1e-6) << "seed " << seed;
+    EXPECT_LT(meanDistance(result.interfaces, plane(normal, point)), 0.005 / n) << "seed " << seed;
+  }
+}
+
+TEST(Extract, SharedCellsBetweenPureOnesAreRightWithinAThousandth)
+{
+  // A layer of mixed cells whose fractions no smooth border has: every cell asks for its own height.
+  const int n = 8;
+  const auto fractions = [](const Box& box) {
+    const auto layer = static_cast<int>(std::floor(box.lower[2] * n + 0.5));
+    const auto column = static_cast<int>(std::floor((3.0 * box.lower[0] + 5.0 * box.lower[1]) * n + 0.5));
+    const double first = layer < 4 ? 1.0 : layer > 4 ? 0.0 : 0.35 + 0.06 * (column % 6);
+    return std::vector<double>{ first, 1.0 - first };
+  };
+  const ExtractedInterfaces result = extract(fractionSimulation(cubeGrid(n), 2, fractions));
+  expectSound(result.interfaces, 2, Box{ Vector::Zero(), Vector::Ones() });
+  EXPECT_LT(largestCellError(result, 1.0 / (n * n * n)), 1e-3);
+}
+
 TEST(Extract, APlaneAlongTheGridIsExact)
 {
   const Simulation simulation = fractionSimulation(cubeGrid(5), 2, belowPlane(Vector::UnitZ(), Vector(0.0, 0.0, 0.47)));

@@ -105,3 +105,34 @@ TEST(CutVolumes, DerivativesAreDifferencesOfVolumes)
     }
   }
 }
+
+TEST(CutVolumes, DerivativesAtACornerAreDifferencesOfVolumes)
+{
+  std::mt19937 random(6);
+  TetrahedronCut workspace;
+  const double step = 1e-6;
+  for (int i = 0; i < 3000; ++i)
+  {
+    const int count = 2 + i % 4;
+    const VertexValues values = randomValues(4, count, Draw::Reals, random);
+    std::vector<CornerValues> corners = valuesAt(values, plainVertices);
+    std::vector<double> volumes(count);
+    std::vector<double> derivatives(count * count);
+    regionVolumesAndCornerDerivatives(corners.data(), count, workspace, volumes.data(), derivatives.data());
+    for (int j = 0; j < count; ++j)
+    {
+      std::vector<double> above(count);
+      std::vector<double> below(count);
+      corners[j].values[0] += step;
+      regionVolumes(corners.data(), count, workspace, above.data());
+      corners[j].values[0] -= 2.0 * step;
+      regionVolumes(corners.data(), count, workspace, below.data());
+      corners[j].values[0] += step;
+      for (int f = 0; f < count; ++f)
+      {
+        const double difference = (above[f] - below[f]) / (2.0 * step);
+        ASSERT_NEAR(derivatives[count * f + j], difference, 1e-3 * (1.0 + std::abs(difference))) << "case " << i;
+      }
+    }
+  }
+}
