@@ -9,7 +9,7 @@ import strata
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
-    VTK_HEXAHEDRON, VTK_TETRA, vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkUnstructuredGrid)
+    VTK_HEXAHEDRON, VTK_LAGRANGE_HEXAHEDRON, VTK_QUADRATIC_TETRA, VTK_TETRA, vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkUnstructuredGrid)
 
 CUBE = numpy.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)], float)
 
@@ -94,6 +94,13 @@ def spoil(row, value):
     return change
 
 
+def bent_tetrahedron(bend):
+    """Ten nodes, the one between the last two corners moved towards the first."""
+    corners = CUBE[[0, 1, 3, 4]]
+    middles = [corners[[a, b]].mean(axis=0) for a, b in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))]
+    return numpy.vstack([corners, middles - numpy.eye(6)[:, 5:] * bend])
+
+
 def fractions(values, kind=numpy.float64):
     data = image()
     for name, array in zip("ab", values):
@@ -130,6 +137,11 @@ REFUSED = {
     "corner of 2^40": (lambda: two_cubes(second=(1, 8, 9, 2, 5, 10, 2 ** 40, 6)), ["Cell 1", str(2 ** 40)]),
     "unknown type of cell": (lambda: two_cubes(cell_type=250), ["Cell 0", "type 250"]),
     "too few corners": (lambda: grid(CUBE, [numpy.arange(7)], VTK_HEXAHEDRON), ["Cell 0", "7 points"]),
+    "node beyond the points": (
+        lambda: grid(numpy.vstack([CUBE] * 2), [[0, 1, 3, 4, 5, 6, 7, 8, 9, 99]], VTK_QUADRATIC_TETRA),
+        ["Cell 0", "point 99"]),
+    "quadratic cell that is turned inside out": (
+        lambda: grid(bent_tetrahedron(3.0), [numpy.arange(10)], VTK_QUADRATIC_TETRA), ["cell 0", "volume"]),
     "spacing 0": (lambda: stretched(0.0), ["along y", "spacing"]),
     "spacing NaN": (lambda: stretched(NAN), ["along y", "nan"]),
     "negative id": (lambda: image(ids=numpy.arange(64) - 7), ["cell 0", "-7"]),
@@ -157,6 +169,12 @@ USED = {
     "a huge and a tiny cell": (
         lambda: grid(numpy.vstack([CUBE * 1e12, CUBE * 1e-3 - [1e6, 0, 0]]),
                      [numpy.arange(8), numpy.arange(8, 16)], VTK_HEXAHEDRON), [], ["material", "outside"]),
+    "Lagrange cell of 26 nodes": (
+        lambda: grid(numpy.vstack([CUBE, CUBE, CUBE, CUBE[:2]]), [numpy.arange(26)], VTK_LAGRANGE_HEXAHEDRON),
+        ["1 curved cells are taken as straight"], ["material"]),
+    "a quadratic cell that bends": (
+        lambda: grid(bent_tetrahedron(0.1), [numpy.arange(10)], VTK_QUADRATIC_TETRA),
+        ["1 curved cells are taken as linear ones"], ["material", "outside"]),
     "one tetrahedron": (lambda: grid(CUBE[[0, 1, 3, 4]], [numpy.arange(4)], VTK_TETRA), [], ["material", "outside"]),
 }
 
