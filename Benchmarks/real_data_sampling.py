@@ -9,7 +9,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import reference, vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_POLYHEDRON, vtkCellArray, vtkCompositeDataSet, vtkHyperTreeGrid, vtkPolyData, vtkStaticCellLocator,
-    vtkUnstructuredGrid)
+    vtkStructuredGrid, vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkCellCenters, vtkProbeFilter, vtkTriangleFilter
 from vtkmodules.vtkFiltersHyperTree import vtkHyperTreeGridToUnstructuredGrid
 
@@ -75,6 +75,13 @@ def polyhedron_centroid(data, cell):
 
 def centers(data):
     """Centres of volume of a data set's cells."""
+    if isinstance(data, vtkStructuredGrid):
+        shape = [0] * 3
+        data.GetDimensions(shape)
+        points = as_numpy(data.GetPoints().GetData()).reshape(shape[2], shape[1], shape[0], 3)
+        corners = [points[c:shape[2] - 1 + c, b:shape[1] - 1 + b, a:shape[0] - 1 + a].reshape(-1, 3)
+                   for a, b, c in ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))]
+        return fan_centroids(numpy.stack(corners, axis=1), SHAPES[12])
     if not isinstance(data, vtkUnstructuredGrid):
         filter_ = vtkCellCenters()
         filter_.SetInputData(data)

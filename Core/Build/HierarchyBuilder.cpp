@@ -397,6 +397,8 @@ void HierarchyBuilder::arrange(Level& level)
   const HierarchyOrder order = depthFirst(hierarchy_);
   reorder(elements_, order.cells);
   reorder(hierarchy_, order);
+  // The hierarchy may have grown since the level was selected.
+  level.active.resize(hierarchy_.diamonds.size(), 0);
   reorder(level.active, order.diamonds);
   arrangedCells_ = hierarchy_.cells.size();
 }
