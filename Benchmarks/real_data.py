@@ -34,7 +34,7 @@ DATA_SETS = {
     "sedov": ("laghos/sedov_003.vtu", {"field": "density", "ids": "material"}),
     "drop": ("gerris/drop_0.20.vtu", {"field": "pressure", "remainder": "gas"}),
     "cth": ("cth/cth.vtr", {"field": "Pressure", "without": ["Void"]}),
-    "spcth amr": ("spcth/spcth_t4.vth", {"field": "Pressure (dynes/cm^2^)", "without": ["Void"]}),
+    "spcth amr": ("spcth/spcth_t4.vth", {"field": "Pressure (dynes/cm^2^)", "without": ["empty"]}),
     "spcth leaves": ("spcth/spcth_leaves_t4.vtu", {"field": "Pressure (dynes/cm^2^)", "without": ["Void"]}),
     "spcth trees": ("spcth/spcth_t4.htg", {"field": "Pressure (dynes/cm^2^)", "without": ["Void"]}),
     "frog": ("frog/frog_vf_4x.vti", {}),
