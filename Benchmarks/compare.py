@@ -2,7 +2,7 @@
 
     STRATA_PLUGIN=build/lib/.../Strata.so pvpython Benchmarks/compare.py PART [--data FOLDER] [--output FOLDER]
 
-Parts: interfaces. FOLDER of the data holds the series of the impact (and, where they are at hand, data of others).
+Parts: interfaces, levels. FOLDER of the data holds the series of the impact (and, where they are at hand, data of others).
 """
 import argparse
 import importlib
@@ -12,7 +12,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 # Part -> the module beside this file whose run(data_folder, output_folder) prints its tables.
-PARTS = {"interfaces": "compare_interfaces"}
+PARTS = {"interfaces": "compare_interfaces", "levels": "compare_levels"}
 
 
 def main():
