@@ -46,7 +46,9 @@ void selectNested(benchmark::State& state, int series, bool accumulate)
   const ThreadShare share;
   for (auto _ : state)
   {
-    cells = selectSaturated(data.builder.hierarchy(), data.finest, wanted, accumulate).cellCount;
+    cells = selectSaturated(
+      data.builder.hierarchy(), data.finest, data.builder.hierarchy().interfaceErrors, wanted, accumulate)
+              .cellCount;
   }
   share.report(state);
   countCells(state, cells, data.finest.active.size());
