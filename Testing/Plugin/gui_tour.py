@@ -83,7 +83,7 @@ def cth(data, state):
         + event(f"{MAIN}/FileSaveServerStateDialog", "filesSelected", str(state)) + pause(2.0),
         "reloaded": event(f"{MAIN}/menubar/menu_File", "activate", "actionFileLoadServerState")
         + event(f"{MAIN}/FileLoadServerStateDialog", "filesSelected", str(state)) + pause(2.0)
-        + pause(30.0),
+        + 10 * pause(3.0),
     }
 
 
