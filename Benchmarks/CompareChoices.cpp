@@ -2,6 +2,7 @@
 
 #include "Extract/Extract.h"
 #include "Impact.h"
+#include "Native/ReadNativeData.h"
 #include "Pipeline.h"
 
 #include <chrono>
@@ -20,6 +21,10 @@ struct Choices
   ErrorMethod error;
   /// How much tighter than the level's bounds the hierarchy is built: nested errors look that deep.
   double depth = 1.0;
+  NativeElements elements = NativeElements::Points;
+  std::array<int, 3> baseCubes = { 1, 1, 1 };
+  /// One field over all materials, as a refinement that knows of none would see it.
+  bool separated = true;
 };
 
 constexpr auto paperDistance = DistanceMethod::ClosestVertex;
@@ -35,6 +40,15 @@ constexpr Choices all[] = {
   { "Strata fitted", ownDistance, ownGhosts, ErrorMethod::Fitted },
   { "Strata saturated, 3x finer", ownDistance, ownGhosts, ErrorMethod::Saturated, 3.0 },
   { "Strata accumulated, 3x finer", ownDistance, ownGhosts, ErrorMethod::Accumulated, 3.0 },
+  { "certified", ownDistance, ownGhosts, ErrorMethod::Direct, 1.0, NativeElements::Cells },
+  { "certified, constant ghosts", ownDistance, paperGhosts, ErrorMethod::Direct, 1.0, NativeElements::Cells },
+  { "certified, linear ghosts", ownDistance, GhostMethod::Linear, ErrorMethod::Direct, 1.0, NativeElements::Cells },
+  { "certified, 2x2x3 base cubes", ownDistance, ownGhosts, ErrorMethod::Direct, 1.0, NativeElements::Cells,
+    { 2, 2, 3 } },
+  { "certified, fitted", ownDistance, ownGhosts, ErrorMethod::Fitted, 1.0, NativeElements::Cells },
+  { "certified, saturated, 2x finer", ownDistance, ownGhosts, ErrorMethod::Saturated, 2.0, NativeElements::Cells },
+  { "no separation of materials", ownDistance, ownGhosts, ErrorMethod::Direct, 1.0, NativeElements::Points, { 1, 1, 1 },
+    false },
 };
 
 /// The paper's choices never meet some bounds: cells stop here, 2^10 times finer along each edge than the box.
@@ -47,9 +61,31 @@ struct Outcome
   Achieved achieved;
 };
 
+/// The same grid as one material, with the mean density of each cell.
+std::shared_ptr<const NativeData> withoutMaterials(const Impact& data)
+{
+  Simulation simulation = data.simulation;
+  const ValueArray projectile = simulation.fields[0].values[0];
+  const ValueArray block = simulation.fields[0].values[1];
+  auto mixed = std::make_shared<std::vector<double>>();
+  for (Index cell = 0; cell < std::get<RectilinearGrid>(simulation.grid).cellCount(); ++cell)
+  {
+    mixed->push_back(simulation.fractions[0](cell) * projectile(cell) + simulation.fractions[1](cell) * block(cell));
+  }
+  const auto count = static_cast<Index>(mixed->size());
+  simulation.materials = { { "all", true } };
+  simulation.fields[0].values = { ValueArray(mixed->data(), count, 1, mixed) };
+  const auto ones = std::make_shared<std::vector<double>>(mixed->size(), 1.0);
+  simulation.fractions = { ValueArray(ones->data(), count, 1, ones) };
+  Progress progress;
+  return readNativeData(simulation, {}, progress);
+}
+
 Outcome run(const Impact& data, const Interfaces& interfaces, const Choices& choices, const ErrorBounds& wanted)
 {
   BuildOptions build;
+  build.nativeElements = choices.elements;
+  build.baseCubes = choices.baseCubes;
   build.maximumLevel = maximumLevel;
   build.distanceMethod = choices.distance;
   build.ghostMethod = choices.ghost;
@@ -59,7 +95,9 @@ Outcome run(const Impact& data, const Interfaces& interfaces, const Choices& cho
   select.errorMethod = choices.error;
   Progress progress;
   const auto start = std::chrono::steady_clock::now();
-  const Mesh mesh = Multiresolution(data.native, interfaces, build).level(select, progress);
+  const Mesh mesh = choices.separated
+                      ? Multiresolution(data.native, interfaces, build).level(select, progress)
+                      : Multiresolution(withoutMaterials(data), Interfaces(), build).level(select, progress);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   return { mesh.cellCount(), seconds.count(), mesh.achieved };
 }
@@ -67,7 +105,7 @@ Outcome run(const Impact& data, const Interfaces& interfaces, const Choices& cho
 void compare(const Impact& data, const Interfaces& interfaces, const ErrorBounds& wanted)
 {
   std::printf("\ninterface bound %g, density bound %g\n", wanted.interfaceError, wanted.fieldErrors.front());
-  std::printf("%-28s %10s %9s %10s %9s %9s  %s\n", "choices", "cells", "of paper", "interface", "density", "seconds",
+  std::printf("%-30s %10s %9s %10s %9s %9s  %s\n", "choices", "cells", "of paper", "interface", "density", "seconds",
     "stopped by");
   double ofPaper = 0.0;
   for (const Choices& choices : all)
@@ -75,7 +113,7 @@ void compare(const Impact& data, const Interfaces& interfaces, const ErrorBounds
     const Outcome outcome = run(data, interfaces, choices, wanted);
     const auto cells = static_cast<double>(outcome.cells);
     ofPaper = ofPaper > 0.0 ? ofPaper : cells;
-    std::printf("%-28s %10.0f %9.3f %10.4f %9.4f %9.3f  %s\n", choices.name, cells, cells / ofPaper,
+    std::printf("%-30s %10.0f %9.3f %10.4f %9.4f %9.3f  %s\n", choices.name, cells, cells / ofPaper,
       outcome.achieved.interfaceError, outcome.achieved.fieldErrors.front(), outcome.seconds,
       outcome.achieved.stoppedBy.c_str());
   }

@@ -87,6 +87,22 @@ TEST_F(Tetrahedra, EachMaterialKeepsItsOwnField)
   }
 }
 
+TEST_F(Tetrahedra, CertifiedErrorsHoldAtEveryPointOfTheInterface)
+{
+  // The materials meet in a plane, which a representation within 0.05 may miss by no more than that.
+  filter->SetNativeElements(1);
+  ASSERT_EQ(update(filter).error, "");
+  EXPECT_TRUE(filter->GetBoundMet());
+  EXPECT_EQ(filter->GetStoppedBy(), std::string("bounds met"));
+  EXPECT_LE(filter->GetAchievedInterfaceError(), 0.05);
+  EXPECT_EQ(filter->GetNumberOfBuilds(), 1);
+  vtkDataArray* errors = mesh()->GetCellData()->GetArray("interface_error");
+  EXPECT_EQ(static_cast<float>(filter->GetAchievedInterfaceError()), static_cast<float>(errors->GetRange()[1]));
+  filter->SetNativeElements(0);
+  ASSERT_EQ(update(filter).error, "");
+  EXPECT_EQ(filter->GetNumberOfBuilds(), 2);
+}
+
 TEST_F(Tetrahedra, AChangeOfBoundsKeepsTheHierarchy)
 {
   ASSERT_EQ(update(filter).error, "");
