@@ -51,7 +51,8 @@ constexpr Choices all[] = {
     false },
 };
 
-/// The paper's choices never meet some bounds: cells stop here, 2^10 times finer along each edge than the box.
+/// The paper's choices never meet some bounds at points: cells stop here, 2^10 times finer along each edge than the
+/// box.
 constexpr int maximumLevel = 30;
 
 struct Outcome
@@ -86,7 +87,10 @@ Outcome run(const Impact& data, const Interfaces& interfaces, const Choices& cho
   BuildOptions build;
   build.nativeElements = choices.elements;
   build.baseCubes = choices.baseCubes;
-  build.maximumLevel = maximumLevel;
+  if (choices.elements == NativeElements::Points)
+  {
+    build.maximumLevel = maximumLevel;
+  }
   build.distanceMethod = choices.distance;
   build.ghostMethod = choices.ghost;
   SelectOptions select;

@@ -252,6 +252,8 @@ Mesh Multiresolution::State::emitSelected(const SelectOptions& chosen, const Emi
 {
   Selection selection = select(chosen, progress);
   complete(selection.certificate.get(), hierarchy(), selection.level.achieved, progress);
+  // Ids change, and regions are closed again.
+  selection.level.extra.clear();
   builder->arrange(selection.level);
   Mesh mesh = emitClosed(*builder, hierarchy(), selection.level, emitted, progress);
   if (selection.certificate)

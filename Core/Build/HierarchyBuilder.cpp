@@ -10,6 +10,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -410,6 +411,7 @@ void renumber(std::vector<ExtraValues>& extra, const std::vector<std::int32_t>& 
 
 void HierarchyBuilder::arrange(Level& level)
 {
+  assert(level.extra.empty());
   // A tenth out of order costs less than arranging all.
   if (10 * (hierarchy_.cells.size() - arrangedCells_) <= hierarchy_.cells.size())
   {

@@ -27,7 +27,7 @@ public:
   void split(const std::vector<DiamondId>& diamonds, Progress& progress);
 
   /// Brings the hierarchy into the order in which levels run through it, if enough of it is new: all ids change.
-  /// `level` must be one of it; its diamonds are renumbered alike.
+  /// `level` must be one of it, without extra values; its diamonds are renumbered alike.
   void arrange(Level& level);
 
   /// A cell's native elements as rows; for a cell that is split, gathered from its descendants.
