@@ -1,6 +1,8 @@
 #include "Conversion/CheckCells.h"
 
 #include "Conversion/CellVolumes.h"
+#include "Conversion/RemoveCells.h"
+#include "Conversion/RepeatedCells.h"
 
 #include "Geometry/Box.h"
 
@@ -8,7 +10,9 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace strata::conversion
 {
@@ -30,6 +34,14 @@ double sizeOf(const UnstructuredGrid& grid, Index cell)
   }
   return box.diagonal();
 }
+
+std::string describeVolume(const InputGrid& input, Index cell, double volume, bool inverted)
+{
+  std::ostringstream message;
+  message << "The volume of " << describeCell(input, cell) << " is " << volume
+          << (inverted ? ": its corners are in inverted order" : ": it is degenerate");
+  return message.str();
+}
 }
 
 void orientWedges(UnstructuredGrid& grid)
@@ -45,28 +57,69 @@ void orientWedges(UnstructuredGrid& grid)
   }
 }
 
-CheckedVolumes checkCells(const InputGrid& input)
+CheckedVolumes dropCellsWithoutVolume(InputGrid& input)
 {
   const auto& grid = std::get<UnstructuredGrid>(input.grid);
-  CheckedVolumes result;
-  result.smallest = std::numeric_limits<double>::infinity();
+  std::vector<double> volumes(grid.shapes.size());
+  std::vector<Index> sources;
+  std::string reason;
   for (Index cell = 0; cell < grid.cellCount(); ++cell)
   {
-    const double volume = cellVolume(grid, cell);
+    const auto c = static_cast<std::size_t>(cell);
+    volumes[c] = cellVolume(grid, cell);
     const double size = sizeOf(grid, cell);
     const double smallest = degenerateVolume * size * size * size;
-    result.sum += volume;
-    result.smallest = std::min(result.smallest, volume);
-    if (volume > smallest)
+    if (!(volumes[c] > smallest) && (sources.empty() || sources.back() != input.cellSource[c]))
     {
+      reason = sources.empty() ? describeVolume(input, cell, volumes[c], volumes[c] < -smallest) : reason;
+      sources.push_back(input.cellSource[c]);
+    }
+  }
+  std::vector<Index> bad;
+  CheckedVolumes result;
+  result.smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < volumes.size(); ++c)
+  {
+    // All pieces of a curved cell one of which is inverted.
+    if (std::binary_search(sources.begin(), sources.end(), input.cellSource[c]))
+    {
+      bad.push_back(static_cast<Index>(c));
       continue;
     }
-    std::ostringstream message;
-    message << "The volume of " << describeCell(input, cell) << " is " << volume
-            << (volume < -smallest ? ": its corners are in inverted order" : ": it is degenerate");
-    throw InvalidInput(message.str());
+    result.sum += volumes[c];
+    result.smallest = std::min(result.smallest, volumes[c]);
+  }
+  if (bad.size() == volumes.size())
+  {
+    throw InvalidInput(reason + ". No cell is left");
+  }
+  if (!bad.empty())
+  {
+    input.warnings.push_back(
+      reason + ". Cells left out, inverted or without volume: " + std::to_string(sources.size()));
+    removeCells(input, bad);
   }
   return result;
+}
+
+void dropRepeatedCells(InputGrid& input, CheckedVolumes& volumes)
+{
+  const auto& grid = std::get<UnstructuredGrid>(input.grid);
+  std::vector<Index> repeated;
+  std::string first;
+  for (const auto& [cell, earlier] : repeatedCells(grid))
+  {
+    volumes.sum -= cellVolume(grid, cell);
+    first =
+      repeated.empty() ? describeCell(input, cell) + " has the corners of " + describeCell(input, earlier) : first;
+    repeated.push_back(cell);
+  }
+  if (!repeated.empty())
+  {
+    input.warnings.push_back(
+      "The grid repeats cells: " + first + ". Cells left out: " + std::to_string(repeated.size()));
+    removeCells(input, repeated);
+  }
 }
 
 bool fillsBox(const UnstructuredGrid& grid, const CheckedVolumes& volumes)

@@ -15,8 +15,13 @@ struct CheckedVolumes
   double smallest = 0.0;
 };
 
-/// Throws InvalidInput that names the first cell that is inverted or has no volume.
-CheckedVolumes checkCells(const InputGrid& input);
+/// Takes the cells out of the grid that are inverted or have no volume, with a warning that names the first and tells
+/// how many there are. Throws InvalidInput that names the first if no others are left.
+CheckedVolumes dropCellsWithoutVolume(InputGrid& input);
+
+/// Takes cells out that stand a second time, with the same corners in any order, with a warning as above. The volumes
+/// lose theirs.
+void dropRepeatedCells(InputGrid& input, CheckedVolumes& volumes);
 
 /// True if the cells leave nothing of the box round them but rounding errors.
 bool fillsBox(const UnstructuredGrid& grid, const CheckedVolumes& volumes);

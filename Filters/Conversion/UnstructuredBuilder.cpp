@@ -304,10 +304,13 @@ InputGrid UnstructuredBuilder::finish()
     throw InvalidInput("The grid has no visible cells with a volume");
   }
   checkFinite(result);
-  compactPoints(result);
   orientWedges(grid_);
   result.grid = std::move(grid_);
-  const CheckedVolumes volumes = checkCells(result);
+  CheckedVolumes volumes = dropCellsWithoutVolume(result);
+  grid_ = std::move(std::get<UnstructuredGrid>(result.grid));
+  compactPoints(result);
+  result.grid = std::move(grid_);
+  dropRepeatedCells(result, volumes);
   result.hasOutside = !fillsBox(std::get<UnstructuredGrid>(result.grid), volumes);
   return result;
 }

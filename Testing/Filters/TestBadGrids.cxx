@@ -137,6 +137,25 @@ TEST(BadGrids, BadCellsAreNamed)
   EXPECT_REFUSED(filterOf(oneCell(VTK_TRIANGLE, unitCorner, { 0, 1, 2 })), "no visible cells");
 }
 
+TEST(BadGrids, BadAndRepeatedCellsAreLeftOutAndTheOthersUsed)
+{
+  const Coordinates corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } };
+  const std::array<std::array<vtkIdType, 4>, 5> cells = { { { 0, 1, 2, 3 }, { 0, 2, 1, 3 }, { 1, 2, 3, 4 },
+    { 0, 1, 2, 2 }, { 4, 2, 1, 3 } } };
+  auto grid = oneCell(VTK_TETRA, corners, { 0, 1, 2, 3 });
+  for (std::size_t c = 1; c < cells.size(); ++c)
+  {
+    grid->InsertNextCell(VTK_TETRA, 4, cells[c].data());
+  }
+  auto filter = filterOf(grid);
+  const auto said = update(filter);
+  EXPECT_EQ(said.error, "");
+  EXPECT_NE(said.warning.find("cell 1 is -"), std::string::npos) << said.warning;
+  EXPECT_NE(said.warning.find("inverted or without volume: 2"), std::string::npos) << said.warning;
+  EXPECT_NE(said.warning.find("cell 4 has the corners of cell 2"), std::string::npos) << said.warning;
+  EXPECT_GT(filter->GetOutput()->GetNumberOfElements(vtkDataObject::CELL), 0);
+}
+
 TEST(BadGrids, SurfacesAreNoSimulations)
 {
   vtkNew<vtkPolyData> surface;

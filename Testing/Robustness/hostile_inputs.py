@@ -128,8 +128,6 @@ def one(position, value, others):
 NAN, INFINITY = float("nan"), float("inf")
 # What it is: data, and texts that must be said.
 REFUSED = {
-    "inverted cell": (lambda: two_cubes(second=(5, 10, 11, 6, 1, 8, 9, 2)), ["cell 1", "inverted"]),
-    "degenerate cell": (lambda: two_cubes(second=(1, 8, 9, 2, 1, 8, 9, 2)), ["cell 1", "degenerate"]),
     "point is NaN": (lambda: two_cubes(spoil(9, NAN)), ["cell 1", "not finite"]),
     "point is infinite": (lambda: two_cubes(spoil(9, INFINITY)), ["cell 1", "not finite"]),
     "corner beyond the points": (lambda: two_cubes(second=(1, 8, 9, 2, 5, 10, 12, 6)), ["Cell 1", "point 12"]),
@@ -154,9 +152,14 @@ REFUSED = {
                           ["material", "block '2'", "missing"]),
     "no blocks": (lambda: collection([]), ["no visible cells"]),
     "empty blocks alone": (lambda: collection([vtkUnstructuredGrid(), None, vtkImageData()]), ["no visible cells"]),
-    "duplicate cells": (lambda: two_cubes(second=range(8)), []),
 }
 USED = {
+    "inverted cell": (lambda: two_cubes(second=(5, 10, 11, 6, 1, 8, 9, 2)), ["cell 1", "inverted", "left out"],
+                      ["material"]),
+    "degenerate cell": (lambda: two_cubes(second=(1, 8, 9, 2, 1, 8, 9, 2)), ["cell 1", "degenerate", "left out"],
+                        ["material"]),
+    "duplicate cells": (lambda: two_cubes(second=range(8)), ["cell 1 has the corners of cell 0", "left out"],
+                        ["material"]),
     "64-bit ids": (lambda: image(ids=numpy.where(numpy.arange(64) < 32, 2 ** 40, 2 ** 62)), [],
                    [f"Material {2 ** 40}", f"Material {2 ** 62}"]),
     "empty blocks": (lambda: collection([vtkUnstructuredGrid(), image(), None, vtkImageData()]), [],
