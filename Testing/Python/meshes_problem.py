@@ -78,3 +78,14 @@ def joined(parts):
     return (numpy.concatenate([p.centers for p in parts]), numpy.concatenate([p.volumes for p in parts]),
             numpy.concatenate([p.fractions for p in parts], axis=1),
             numpy.concatenate([p.densities for p in parts], axis=1))
+
+
+def random_points(parts, count):
+    """`count` points in each convex cell, means of its corners with random weights, and the volumes of their cells."""
+    random = numpy.random.default_rng(11)
+    points, volumes = [], []
+    for part in parts:
+        weights = random.dirichlet(numpy.full(part.corners.shape[1], 0.5), (len(part.corners), count))
+        points.append(numpy.einsum("ckn,cnx->ckx", weights, part.corners).reshape(-1, 3))
+        volumes.append(numpy.repeat(part.volumes, count))
+    return numpy.concatenate(points), numpy.concatenate(volumes)
