@@ -124,11 +124,16 @@ void compare(const Impact& data, const Interfaces& interfaces, const ErrorBounds
 }
 }
 
-/// With an argument: the resolution, 32 by default.
+/// Arguments: the resolution, 32 by default; then an interface and a density bound in place of the usual three pairs.
 int main(int argc, char** argv)
 {
   const int series = argc > 1 ? std::stoi(argv[1]) : 32;
   const Impact& data = impact(series);
+  std::vector<ErrorBounds> levels = { bounds(0.15, 3.0), bounds(0.15, 0.3), bounds(0.05, 0.5) };
+  if (argc > 3)
+  {
+    levels = { bounds(std::stod(argv[2]), std::stod(argv[3])) };
+  }
   Progress progress;
   for (const bool corrected : { false, true })
   {
@@ -138,7 +143,7 @@ int main(int argc, char** argv)
     std::printf("\nimpact %d, interfaces from fractions %s: %ld triangles\n", series,
       corrected ? "with corrected volumes" : "on the dual grid (the paper's way)",
       static_cast<long>(interfaces.triangleCount()));
-    for (const ErrorBounds& wanted : { bounds(0.15, 3.0), bounds(0.15, 0.3), bounds(0.05, 0.5) })
+    for (const ErrorBounds& wanted : levels)
     {
       compare(data, interfaces, wanted);
     }
