@@ -16,6 +16,9 @@ constexpr std::size_t enoughCells = 512;
 constexpr std::size_t cellsPerBlock = 64;
 constexpr std::size_t diamondsPerBlock = 1024;
 
+/// A look at a cell mostly waits for memory: so many cells are on their way at once.
+constexpr std::size_t cellsInHand = 8;
+
 std::size_t blockCount(std::size_t items, std::size_t itemsPerBlock)
 {
   return (items + itemsPerBlock - 1) / itemsPerBlock;
@@ -26,7 +29,62 @@ void append(std::vector<T>& all, const std::vector<T>& part)
 {
   all.insert(all.end(), part.begin(), part.end());
 }
+
+/// Begins to fetch what tells whether a cell must be split, for a look at it a little later.
+void prefetch(const Hierarchy& hierarchy, CellId id)
+{
+  const auto c = static_cast<std::size_t>(id.value);
+  __builtin_prefetch(hierarchy.cells.data() + c);
+  __builtin_prefetch(hierarchy.interfaceErrors.data() + c);
+  __builtin_prefetch(hierarchy.fieldErrors.data() + c * hierarchy.fields.size());
 }
+
+/// Calls visit(CellId) for every cell of some diamonds: a cell of each in turn, and the next one is on its way
+/// meanwhile.
+template<typename Visit>
+void forCellsInTurn(const Hierarchy& hierarchy, const DiamondId* diamonds, std::size_t count, const Visit& visit)
+{
+  std::array<CellId, cellsInHand> cells;
+  std::size_t begun = 0;
+  for (bool busy = true; busy;)
+  {
+    busy = false;
+    for (CellId& cell : cells)
+    {
+      if (cell.valid())
+      {
+        visit(cell);
+        cell = hierarchy.cell(cell).nextInDiamond;
+      }
+      else if (begun < count)
+      {
+        cell = hierarchy.diamond(diamonds[begun++]).firstCell;
+      }
+      if (cell.valid())
+      {
+        prefetch(hierarchy, cell);
+        busy = true;
+      }
+    }
+    busy = busy || begun < count;
+  }
+}
+}
+
+/// Cells that wait below a cell in hand.
+class Front::CellStack
+{
+public:
+  bool empty() const { return size_ == 0; }
+  CellId top() const { return cells_[size_ - 1]; }
+  void push(CellId cell) { cells_[size_++] = cell; }
+  CellId pop() { return cells_[--size_]; }
+
+private:
+  /// One cell waits for each level above the one in hand, and bisection ends after three times the octaves.
+  std::array<CellId, 3 * Lattice::octaves + 2> cells_;
+  std::size_t size_ = 0;
+};
 
 Front::Front(const Hierarchy& hierarchy, bool resumable) : resumable_(resumable), cellCount_(hierarchy.rootCount) {}
 
@@ -102,36 +160,57 @@ std::vector<DiamondId> Front::split(const Hierarchy& hierarchy, const std::vecto
   return missing_;
 }
 
-void Front::visitBelow(
-  const Hierarchy& hierarchy, const Criterion& criterion, double scale, CellId top, Findings& found) const
+void Front::look(
+  const Hierarchy& hierarchy, const Criterion& criterion, double scale, CellStack& stack, Findings& found) const
 {
-  // One cell waits for each level above the one in hand, and bisection ends after three times the octaves.
-  std::array<CellId, 3 * Lattice::octaves + 2> stack;
-  std::size_t waiting = 0;
-  stack[waiting++] = top;
-  while (waiting > 0)
+  const CellId id = stack.pop();
+  const HierarchyCell& cell = hierarchy.cell(id);
+  if (!criterion.mustSplit(hierarchy, id, scale))
   {
-    const CellId id = stack[--waiting];
-    const HierarchyCell& cell = hierarchy.cell(id);
-    if (!criterion.mustSplit(hierarchy, id, scale))
+    if (resumable_)
     {
-      if (resumable_)
+      found.resting.push_back({ id, criterion.ratio(hierarchy, id) });
+    }
+    return;
+  }
+  if (!isActive(cell.diamond))
+  {
+    found.tooCoarse.push_back(cell.diamond);
+  }
+  if (!cell.firstChild.valid())
+  {
+    found.waiting.push_back(id);
+    return;
+  }
+  stack.push(CellId(cell.firstChild.value + 1));
+  stack.push(cell.firstChild);
+}
+
+void Front::visitBelow(const Hierarchy& hierarchy, const Criterion& criterion, double scale, const CellId* tops,
+  std::size_t count, Findings& found) const
+{
+  std::array<CellStack, cellsInHand> stacks;
+  std::size_t begun = 0;
+  for (bool busy = true; busy;)
+  {
+    busy = false;
+    for (CellStack& stack : stacks)
+    {
+      if (stack.empty() && begun < count)
       {
-        found.resting.push_back({ id, criterion.ratio(hierarchy, id) });
+        stack.push(tops[begun++]);
       }
-      continue;
+      if (stack.empty())
+      {
+        continue;
+      }
+      busy = true;
+      look(hierarchy, criterion, scale, stack, found);
+      if (!stack.empty())
+      {
+        prefetch(hierarchy, stack.top());
+      }
     }
-    if (!isActive(cell.diamond))
-    {
-      found.tooCoarse.push_back(cell.diamond);
-    }
-    if (!cell.firstChild.valid())
-    {
-      found.waiting.push_back(id);
-      continue;
-    }
-    stack[waiting++] = CellId(cell.firstChild.value + 1);
-    stack[waiting++] = cell.firstChild;
   }
 }
 
@@ -164,11 +243,9 @@ void Front::visit(const Hierarchy& hierarchy, const Criterion& criterion, double
   cells = spread(hierarchy, criterion, scale, std::move(cells));
   std::vector<Findings> blocks(blockCount(cells.size(), cellsPerBlock));
   tbb::parallel_for(std::size_t{ 0 }, blocks.size(), [&](std::size_t block) {
-    const std::size_t end = std::min(cells.size(), (block + 1) * cellsPerBlock);
-    for (std::size_t i = block * cellsPerBlock; i < end; ++i)
-    {
-      visitBelow(hierarchy, criterion, scale, cells[i], blocks[block]);
-    }
+    const std::size_t begin = block * cellsPerBlock;
+    const std::size_t count = std::min(cells.size() - begin, cellsPerBlock);
+    visitBelow(hierarchy, criterion, scale, cells.data() + begin, count, blocks[block]);
   });
   for (const Findings& found : blocks)
   {
@@ -188,19 +265,17 @@ std::vector<CellId> Front::splitTooCoarse(const Hierarchy& hierarchy, const Crit
   std::vector<std::vector<CellId>> children(blockCount(splitLast_.size(), diamondsPerBlock));
   std::vector<Index> counts(children.size(), 0);
   tbb::parallel_for(std::size_t{ 0 }, children.size(), [&](std::size_t block) {
-    const std::size_t end = std::min(splitLast_.size(), (block + 1) * diamondsPerBlock);
-    for (std::size_t i = block * diamondsPerBlock; i < end; ++i)
-    {
-      hierarchy.forCellsOf(splitLast_[i], [&](CellId id) {
-        const HierarchyCell& cell = hierarchy.cell(id);
-        ++counts[block];
-        if (!criterion.mustSplit(hierarchy, id, scale))
-        {
-          children[block].push_back(cell.firstChild);
-          children[block].push_back(CellId(cell.firstChild.value + 1));
-        }
-      });
-    }
+    const std::size_t begin = block * diamondsPerBlock;
+    const std::size_t count = std::min(splitLast_.size() - begin, diamondsPerBlock);
+    forCellsInTurn(hierarchy, splitLast_.data() + begin, count, [&](CellId id) {
+      const HierarchyCell& cell = hierarchy.cell(id);
+      ++counts[block];
+      if (!criterion.mustSplit(hierarchy, id, scale))
+      {
+        children[block].push_back(cell.firstChild);
+        children[block].push_back(CellId(cell.firstChild.value + 1));
+      }
+    });
   });
   splitLast_.clear();
   std::vector<CellId> result;

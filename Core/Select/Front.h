@@ -40,6 +40,7 @@ private:
     CellId cell;
     float ratio;
   };
+  class CellStack;
   /// What visits of cells find.
   struct Findings
   {
@@ -55,8 +56,11 @@ private:
   /// Goes down from a few cells until they are enough for all threads.
   std::vector<CellId> spread(
     const Hierarchy& hierarchy, const Criterion& criterion, double scale, std::vector<CellId> cells);
-  void visitBelow(
-    const Hierarchy& hierarchy, const Criterion& criterion, double scale, CellId top, Findings& found) const;
+  void visitBelow(const Hierarchy& hierarchy, const Criterion& criterion, double scale, const CellId* tops,
+    std::size_t count, Findings& found) const;
+  /// Looks at the top of a stack, and puts its children there if they have to be looked at.
+  void look(
+    const Hierarchy& hierarchy, const Criterion& criterion, double scale, CellStack& stack, Findings& found) const;
   /// Splits the diamonds that were found too coarse. Returns the children of cells split for conformity alone.
   std::vector<CellId> splitTooCoarse(const Hierarchy& hierarchy, const Criterion& criterion, double scale);
   /// Takes resting cells up again that are too coarse at a smaller scale; forgets those that have been split.
