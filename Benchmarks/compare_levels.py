@@ -3,9 +3,12 @@
 Everything of a table is measured in one run. ParaView's package in Debian is compiled without optimization, which makes
 VTK's own filters slower than they need be; cells and errors don't depend on it.
 """
+import ctypes
 import time
+from pathlib import Path
 
 import compare_levels_error as errors
+import compare_levels_plot as plots
 import strata_example
 from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkPlane, vtkUnstructuredGrid
@@ -23,7 +26,7 @@ CASES = [
     ("impact 128", "impact/impact_128_04.vtr", "density", 0.015, 0.08),
     ("CTH", "cth/cth.vtr", "Pressure", 0.05, 1e8),
 ]
-REPETITIONS = 5
+REPETITIONS = 7
 # Quadric decimation takes time in proportion to a high power of the cells: larger meshes are left out.
 MOST_CELLS_TO_DECIMATE = 150000
 
@@ -63,11 +66,31 @@ class Levels:
         self.proxy.UpdatePipeline()
 
 
-def copy_seconds(mesh):
+def return_memory():
+    """Gives memory that is not in use back to the system.
+
+    A mesh of some MiB that has just been freed leaves pages that the next one takes over at once; a larger one is mapped
+    anew, page by page, which takes several times as long. Without this the times depend on what was freed before.
+    """
+    ctypes.CDLL(None).malloc_trim(0)
+
+
+def copy_seconds(mesh, before):
     def copy():
         vtkUnstructuredGrid().DeepCopy(mesh)
 
-    return median_seconds(copy)
+    return median_seconds(copy, before=before)
+
+
+def change_seconds(levels):
+    """From bounds a fifth looser to those of the level, into fresh memory as the copy."""
+
+    def prepare():
+        levels.update(1.2)
+        levels.move(1.0)
+        return_memory()
+
+    return median_seconds(levels.update, before=prepare)
 
 
 def slice_seconds(levels, mesh):
@@ -137,10 +160,9 @@ def measure(name, path, field, interface_bound, field_bound):
     cells = output_of(reader).GetNumberOfCells()
     levels = Levels(reader, field, interface_bound, field_bound)
     build = median_seconds(lambda: levels.update(1.0), 1)
+    change = change_seconds(levels)
     mesh = output_of(levels.proxy)
-    change = median_seconds(levels.update, before=lambda: (levels.update(1.2), levels.move(1.0)))
-    mesh = output_of(levels.proxy)
-    copy = copy_seconds(mesh)
+    copy = copy_seconds(mesh, return_memory)
     cuts = slice_seconds(levels, mesh)
     quickest = min(seconds for cutter, seconds in cuts.items() if cutter != "Material Slice")
     row = {
@@ -150,7 +172,8 @@ def measure(name, path, field, interface_bound, field_bound):
         "change of level": milliseconds(change),
         "to build": f"1/{build / change:.1f}",
         "deep copy": milliseconds(copy),
-        "to copy": f"{change / copy:.2f}",
+        "to copy": f"{change / copy:.1f}",
+        "deep copy, memory reused": milliseconds(copy_seconds(mesh, lambda: None)),
         "Material Slice": milliseconds(cuts["Material Slice"]),
         "Plane Cutter": milliseconds(cuts["vtkPlaneCutter"]),
         "3D Linear Grid Plane Cutter": milliseconds(cuts["vtk3DLinearGridPlaneCutter"]),
@@ -174,34 +197,12 @@ def print_table(columns):
     print()
 
 
-def plot(columns, curves, path):
-    """Times by data set, and cells by true error; nothing where matplotlib is missing."""
-    try:
-        import matplotlib
-    except ImportError:
-        print("No plot: matplotlib is not installed.")
-        return
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
-    figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5))
-    for measured in ("build = rebuild", "change of level", "deep copy", "Plane Cutter", "Material Slice"):
-        left.plot([row["cells"] for _, row in columns], [float(row[measured]) for _, row in columns], "o-", label=measured)
-    left.set(xscale="log", yscale="log", xlabel="tetrahedra of the level", ylabel="milliseconds")
-    for name, points in curves.items():
-        right.plot([error for error, _ in points], [cells for _, cells in points], "o-", label=name)
-    right.set(xscale="log", yscale="log", xlabel="true L-infinity error", ylabel="cells")
-    for axes in (left, right):
-        axes.legend(fontsize=8)
-    figure.tight_layout()
-    figure.savefig(path, dpi=100)
-
-
 def run(data_folder, output_folder):
     strata_example.load_plugin()
     columns = [measure(name, data_folder / file, *rest) for name, file, *rest in CASES if (data_folder / file).exists()]
-    print("Milliseconds, medians of five (builds, resampling and decimation: once)\n")
+    print("Milliseconds, medians of seven (builds, resampling and decimation: once)\n")
     print_table(columns)
     curves = errors.run()
+    scale = plots.scale_points(Path(__file__).resolve().parent.parent / "build" / "Benchmarks" / "BenchmarkScale")
     output_folder.mkdir(parents=True, exist_ok=True)
-    plot(columns, curves, output_folder / "levels.png")
+    plots.plot(columns, curves, scale, output_folder / "levels.png")
