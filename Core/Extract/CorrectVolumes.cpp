@@ -1,6 +1,5 @@
 #include "Extract/CorrectVolumes.h"
 
-#include "Extract/BalanceTotals.h"
 #include "Extract/CellVolumes.h"
 #include "Extract/ForEach.h"
 #include "Extract/SettleCells.h"
@@ -14,7 +13,7 @@ namespace strata
 namespace
 {
 /// What is left then, the centres of the cells settle.
-constexpr int maximumSweeps = 25;
+constexpr int maximumSweeps = 20;
 /// Errors as parts of a cell's volume: a cell below the first asks for nothing; sweeps end when all are below the
 /// second; a region that is missing is not called back below the third.
 constexpr double quietError = 1e-4;
@@ -25,11 +24,6 @@ constexpr double largestStep = 0.2;
 constexpr double largestShift = 4.0;
 /// Steps are a little longer than Newton's, for the neighbours share only some of the vertices.
 constexpr double relaxation = 1.2;
-/// Totals are balanced until no material lacks more than this part of all volume, or so many times.
-constexpr double totalTolerance = 1e-10;
-constexpr int maximumBalances = 6;
-/// Largest change of a value, as a part of the cell's size, that makes up for fractions too small for a region.
-constexpr double largestMakeUp = 2e-4;
 /// Added to a cell's error to weigh its step among those of its neighbours.
 constexpr double leastWeight = 3e-4;
 
@@ -40,11 +34,10 @@ public:
     double minimumFraction, MaterialValues& values, Progress& progress) :
     complex_(complex),
     values_(values), start_(values.values), progress_(progress), around_(complex),
-    volumes_(complex, around_, values, fractions, minimumFraction, progress), fractions_(fractions),
-    topology_(topology), requests_(complex.cells.size()), changed_(static_cast<std::size_t>(complex.vertexCount()), 1),
-    materialCount_(fractions.materialCount())
+    volumes_(complex, around_, values, fractions, minimumFraction, progress), requests_(complex.cells.size()),
+    changed_(static_cast<std::size_t>(complex.vertexCount()), 1), materialCount_(fractions.materialCount())
   {
-    findFixed();
+    findFixed(topology);
   }
 
   void run()
@@ -56,10 +49,10 @@ public:
       applySteps();
       update();
     }
-    balanceTotals(Eigen::VectorXd::Zero(materialCount_));
+    balanceTotals();
     settleCells(complex_, volumes_, volumes_.winners(), values_, changed_, progress_);
     update();
-    balanceTotals(affordable(droppedVolumes(volumes_, complex_, topology_, fractions_, progress_)));
+    balanceTotals();
   }
 
 private:
@@ -70,12 +63,12 @@ private:
     double error = 0.0;       ///< largest error of a material over the cell's volume
   };
   /// Vertices that cells outside the complex share stay: those cells are not looked at.
-  void findFixed()
+  void findFixed(const GridTopology& topology)
   {
     fixed_.assign(changed_.size(), 0);
     forEach(complex_.nodeCount(), progress_, [&](std::int32_t v) {
       std::vector<Index> cells;
-      topology_.cellsAround(complex_.nodes[v], cells);
+      topology.cellsAround(complex_.nodes[v], cells);
       fixed_[v] = static_cast<Index>(cells.size()) != around_.start[v + 1] - around_.start[v] ? 1 : 0;
     });
     forEach(complex_.faceCount(), progress_, [&](std::int32_t f) {
@@ -209,45 +202,39 @@ private:
     return largest;
   }
 
-  /// What was dropped, if small changes of the values can make up for it, else nothing.
-  Eigen::VectorXd affordable(const Eigen::VectorXd& dropped) const
+  /// Raises each material everywhere by what its total volume still lacks.
+  void balanceTotals()
   {
-    const Eigen::VectorXd steps = rises(volumes_, complex_.cellCount(), dropped);
-    double smallest = std::numeric_limits<double>::infinity();
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(materialCount_, materialCount_);
+    Eigen::VectorXd missing = Eigen::VectorXd::Zero(materialCount_);
     for (std::int32_t c = 0; c < complex_.cellCount(); ++c)
     {
-      smallest = std::min(smallest, volumes_[c].total);
-    }
-    const double limit = largestMakeUp * std::cbrt(smallest);
-    const double largest = steps.size() > 0 ? steps.maxCoeff() - steps.minCoeff() : 0.0;
-    return largest > limit ? Eigen::VectorXd::Zero(dropped.size()) : dropped;
-  }
-
-  /// Raises each material everywhere by what its total volume still lacks, that in `extra` included.
-  void balanceTotals(const Eigen::VectorXd& extra)
-  {
-    double total = 0.0;
-    for (std::int32_t c = 0; c < complex_.cellCount(); ++c)
-    {
-      total += volumes_[c].total;
-    }
-    for (int balance = 0; balance < maximumBalances; ++balance)
-    {
-      const Eigen::VectorXd missing = extra + missingVolumes(volumes_, complex_.cellCount(), materialCount_);
-      if (missing.size() == 0 || missing.cwiseAbs().maxCoeff() <= totalTolerance * total)
+      const CellVolume& cell = volumes_[c];
+      for (const Share& target : cell.targets)
       {
-        return;
+        missing[target.material] += target.value;
       }
-      raiseAll(rises(volumes_, complex_.cellCount(), missing));
+      for (std::size_t i = 0; i < cell.volumes.size(); ++i)
+      {
+        missing[cell.volumes[i].material] -= cell.volumes[i].value;
+        for (std::size_t j = 0; j < cell.volumes.size() && cell.volumes.size() > 1; ++j)
+        {
+          slopes(cell.volumes[i].material, cell.volumes[j].material) +=
+            cell.slopes(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+        }
+      }
     }
-  }
-
-  void raiseAll(const Eigen::VectorXd& steps)
-  {
+    const double scale = slopes.trace() / materialCount_;
+    if (scale <= 0.0)
+    {
+      return;
+    }
+    slopes.diagonal().array() += 1e-9 * scale;
+    const Eigen::VectorXd step = slopes.ldlt().solve(missing);
     forEach(complex_.vertexCount(), progress_, [&](std::int32_t v) {
       for (Index i = values_.start[v]; i < values_.start[v + 1] && !fixed_[v]; ++i)
       {
-        values_.values[i] += steps[values_.materials[i]];
+        values_.values[i] += step[values_.materials[i]];
       }
     });
     std::fill(changed_.begin(), changed_.end(), std::uint8_t{ 1 });
@@ -260,8 +247,6 @@ private:
   Progress& progress_;
   CellsAround around_;
   CellVolumes volumes_;
-  const Fractions& fractions_;
-  const GridTopology& topology_;
   std::vector<Request> requests_;
   std::vector<std::uint8_t> changed_, fixed_; ///< by vertex
   int materialCount_;

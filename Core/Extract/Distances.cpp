@@ -17,10 +17,6 @@ constexpr int sweepCount = 4;
 /// Value of a fraction f without a direction, as a part of the cell's size times f - 1/2.
 constexpr double undirectedSlope = 0.1;
 
-/// A border that leaves less than this part of a cell on one side has a direction though the fractions around hardly
-/// change: those are set against the part itself.
-constexpr double smallFraction = 0.05;
-
 /// Added to the smaller part of a cell on either side of a border to weigh its plane among those of its neighbours:
 /// the plane through a small corner is the least certain.
 constexpr double leastWeight = 0.1;
@@ -113,8 +109,7 @@ private:
         const Vector gradient = fit.col(e - begin).tail<3>();
         const double width = 2.0 * std::sqrt(gradient.dot(shape * gradient)); // |gradient| times the cell's width
         borders_[e].exists = true;
-        const double scale = std::min(1.0, std::min(means_[e], 1.0 - means_[e]) / smallFraction);
-        borders_[e].sharpness = ramp(2.0 * width, 0.3 * scale, 0.6 * scale);
+        borders_[e].sharpness = ramp(2.0 * width, 0.3, 0.6);
         setNormal(c, e, gradient);
       }
     }
