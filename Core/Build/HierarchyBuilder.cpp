@@ -12,9 +12,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <map>
-#include <numeric>
-#include <tuple>
 
 namespace strata
 {
@@ -389,26 +388,6 @@ void HierarchyBuilder::split(const std::vector<DiamondId>& diamonds, Progress& p
   }
 }
 
-namespace
-{
-/// Lets extra values follow their vertices to new places; they stay in order.
-void renumber(std::vector<ExtraValues>& extra, const std::vector<std::int32_t>& vertexOrder)
-{
-  std::vector<std::int32_t> newPlace(extra.empty() ? 0 : vertexOrder.size());
-  for (std::size_t i = 0; i < newPlace.size(); ++i)
-  {
-    newPlace[static_cast<std::size_t>(vertexOrder[i])] = static_cast<std::int32_t>(i);
-  }
-  for (ExtraValues& values : extra)
-  {
-    values.vertex = VertexId(newPlace[static_cast<std::size_t>(values.vertex.value)]);
-  }
-  std::sort(extra.begin(), extra.end(), [](const ExtraValues& a, const ExtraValues& b) {
-    return std::tie(a.vertex, a.material) < std::tie(b.vertex, b.material);
-  });
-}
-}
-
 void HierarchyBuilder::arrange(Level& level)
 {
   assert(level.extra.empty());
@@ -423,7 +402,6 @@ void HierarchyBuilder::arrange(Level& level)
   // The hierarchy may have grown since the level was selected.
   level.active.resize(hierarchy_.diamonds.size(), 0);
   reorder(level.active, order.diamonds);
-  renumber(level.extra, order.vertices);
   arrangedCells_ = hierarchy_.cells.size();
 }
 }

@@ -2,6 +2,7 @@
 
 #include "Extract/ForEach.h"
 #include "Geometry/Box.h"
+#include "Model/MixedBits.h"
 
 #include <algorithm>
 #include <atomic>
@@ -11,15 +12,6 @@ namespace strata
 {
 namespace
 {
-/// A random number that belongs to a number (splitmix64).
-std::uint64_t mix(std::uint64_t x)
-{
-  x += 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
 Index lowestCorner(const CellFaces& faces, std::int32_t f)
 {
   return *std::min_element(faces.corners.begin() + faces.start[f], faces.corners.begin() + faces.start[f + 1]);
@@ -44,9 +36,9 @@ std::vector<std::atomic<std::uint64_t>> sumFaces(const GridTopology& topology, P
         std::uint64_t sum = 0;
         for (std::int32_t i = faces.start[f]; i < faces.start[f + 1]; ++i)
         {
-          sum += mix(static_cast<std::uint64_t>(faces.corners[i]));
+          sum += mixedBits(static_cast<std::uint64_t>(faces.corners[i]));
         }
-        sums[lowestCorner(faces, f)].fetch_xor(mix(sum), std::memory_order_relaxed);
+        sums[lowestCorner(faces, f)].fetch_xor(mixedBits(sum), std::memory_order_relaxed);
       }
     }
   });

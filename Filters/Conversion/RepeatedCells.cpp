@@ -1,5 +1,7 @@
 #include "Conversion/RepeatedCells.h"
 
+#include "Model/MixedBits.h"
+
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -10,15 +12,6 @@ namespace strata::conversion
 {
 namespace
 {
-/// A number that looks random (the finishing steps of the generator SplitMix64).
-std::uint64_t mixed(std::uint64_t x)
-{
-  x += 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
 std::vector<Index> sortedCorners(const UnstructuredGrid& grid, Index cell)
 {
   const auto c = static_cast<std::size_t>(cell);
@@ -38,7 +31,7 @@ std::vector<std::pair<Index, Index>> repeatedCells(const UnstructuredGrid& grid)
     sums[c].second = static_cast<Index>(c);
     for (Index k = grid.cornerOffsets[c]; k < grid.cornerOffsets[c + 1]; ++k)
     {
-      sums[c].first += mixed(static_cast<std::uint64_t>(grid.corners[static_cast<std::size_t>(k)]));
+      sums[c].first += mixedBits(static_cast<std::uint64_t>(grid.corners[static_cast<std::size_t>(k)]));
     }
   }
   tbb::parallel_sort(sums.begin(), sums.end());
