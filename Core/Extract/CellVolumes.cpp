@@ -14,12 +14,12 @@ Bits bit(std::uint8_t material)
 }
 }
 
-CellVolumes::CellVolumes(const CellComplex& complex, const CellsAround& around, const MaterialValues& values,
-  const Fractions& fractions, double minimumFraction, Progress& progress) :
-  complex_(complex),
-  around_(around), values_(values), fractions_(fractions), minimumFraction_(minimumFraction), progress_(progress),
-  winners_(static_cast<std::size_t>(complex.vertexCount())), reach_(winners_.size()), cells_(complex.cells.size()),
-  workspaces_([this] {
+CellVolumes::CellVolumes(
+  const MixedRegion& region, const MaterialValues& values, double minimumFraction, Progress& progress) :
+  complex_(region.complex),
+  around_(region.around), values_(values), fractions_(region.fractions), minimumFraction_(minimumFraction),
+  progress_(progress), winners_(static_cast<std::size_t>(complex_.vertexCount())), reach_(winners_.size()),
+  cells_(complex_.cells.size()), workspaces_([this] {
     return Workspace{ CellCutter(complex_, values_, winners_), {} };
   })
 {}

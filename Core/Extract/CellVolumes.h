@@ -1,8 +1,7 @@
 #pragma once
 
 #include "Extract/CellCutter.h"
-#include "Extract/CellsAround.h"
-#include "Extract/Fractions.h"
+#include "Extract/MixedRegion.h"
 
 #include <Eigen/Dense>
 #include <tbb/enumerable_thread_specific.h>
@@ -26,8 +25,7 @@ class CellVolumes
 {
 public:
   /// All arguments must outlive it.
-  CellVolumes(const CellComplex& complex, const CellsAround& around, const MaterialValues& values,
-    const Fractions& fractions, double minimumFraction, Progress& progress);
+  CellVolumes(const MixedRegion& region, const MaterialValues& values, double minimumFraction, Progress& progress);
 
   /// Measures the cells that have a vertex marked in `changed`. A material that has less than the minimum fraction of
   /// a cell, and no region around it, is not asked for: its target goes to the cell's other materials.

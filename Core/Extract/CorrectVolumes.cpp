@@ -1,5 +1,6 @@
 #include "Extract/CorrectVolumes.h"
 
+#include "Extract/BalanceTotals.h"
 #include "Extract/CellVolumes.h"
 #include "Extract/ForEach.h"
 #include "Extract/SettleCells.h"
@@ -13,7 +14,7 @@ namespace strata
 namespace
 {
 /// What is left then, the centres of the cells settle.
-constexpr int maximumSweeps = 20;
+constexpr int maximumSweeps = 25;
 /// Errors as parts of a cell's volume: a cell below the first asks for nothing; sweeps end when all are below the
 /// second; a region that is missing is not called back below the third.
 constexpr double quietError = 1e-4;
@@ -24,21 +25,22 @@ constexpr double largestStep = 0.2;
 constexpr double largestShift = 4.0;
 /// Steps are a little longer than Newton's, for the neighbours share only some of the vertices.
 constexpr double relaxation = 1.2;
+/// Totals are balanced until no material lacks more than this part of all volume, or so many times.
+constexpr double totalTolerance = 1e-10;
+constexpr int maximumBalances = 6;
+/// Largest change of a value, as a part of the cell's size, that makes up for fractions too small for a region.
+constexpr double largestMakeUp = 2e-4;
 /// Added to a cell's error to weigh its step among those of its neighbours.
 constexpr double leastWeight = 3e-4;
 
 class VolumeCorrection
 {
 public:
-  VolumeCorrection(const CellComplex& complex, const GridTopology& topology, const Fractions& fractions,
-    double minimumFraction, MaterialValues& values, Progress& progress) :
-    complex_(complex),
-    values_(values), start_(values.values), progress_(progress), around_(complex),
-    volumes_(complex, around_, values, fractions, minimumFraction, progress), requests_(complex.cells.size()),
-    changed_(static_cast<std::size_t>(complex.vertexCount()), 1), materialCount_(fractions.materialCount())
-  {
-    findFixed(topology);
-  }
+  VolumeCorrection(const MixedRegion& region, double minimumFraction, MaterialValues& values, Progress& progress) :
+    region_(region), complex_(region.complex), around_(region.around), values_(values), start_(values.values),
+    progress_(progress), volumes_(region, values, minimumFraction, progress), requests_(complex_.cells.size()),
+    changed_(static_cast<std::size_t>(complex_.vertexCount()), 1), materialCount_(region.fractions.materialCount())
+  {}
 
   void run()
   {
@@ -49,10 +51,10 @@ public:
       applySteps();
       update();
     }
-    balanceTotals();
+    balanceTotals(Eigen::VectorXd::Zero(materialCount_));
     settleCells(complex_, volumes_, volumes_.winners(), values_, changed_, progress_);
     update();
-    balanceTotals();
+    balanceTotals(affordable(droppedVolumes(volumes_, region_, progress_)));
   }
 
 private:
@@ -62,22 +64,6 @@ private:
     std::vector<Share> steps; ///< changes of the materials' values at its vertices
     double error = 0.0;       ///< largest error of a material over the cell's volume
   };
-  /// Vertices that cells outside the complex share stay: those cells are not looked at.
-  void findFixed(const GridTopology& topology)
-  {
-    fixed_.assign(changed_.size(), 0);
-    forEach(complex_.nodeCount(), progress_, [&](std::int32_t v) {
-      std::vector<Index> cells;
-      topology.cellsAround(complex_.nodes[v], cells);
-      fixed_[v] = static_cast<Index>(cells.size()) != around_.start[v + 1] - around_.start[v] ? 1 : 0;
-    });
-    forEach(complex_.faceCount(), progress_, [&](std::int32_t f) {
-      const std::int32_t v = complex_.faceVertex(f);
-      const int cells = complex_.faceCells[f][1] < 0 ? 1 : 2;
-      fixed_[v] = around_.start[v + 1] - around_.start[v] != cells ? 1 : 0;
-    });
-  }
-
   void update()
   {
     volumes_.update(changed_);
@@ -157,7 +143,7 @@ private:
         asked = asked || !requests_[around_.cells[i]].steps.empty();
         smallest = std::min(smallest, volumes_[around_.cells[i]].total);
       }
-      if (!asked || fixed_[v])
+      if (!asked || region_.outer[v])
       {
         return;
       }
@@ -202,60 +188,66 @@ private:
     return largest;
   }
 
-  /// Raises each material everywhere by what its total volume still lacks.
-  void balanceTotals()
+  /// What was dropped, if small changes of the values can make up for it, else nothing.
+  Eigen::VectorXd affordable(const Eigen::VectorXd& dropped) const
   {
-    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(materialCount_, materialCount_);
-    Eigen::VectorXd missing = Eigen::VectorXd::Zero(materialCount_);
+    const Eigen::VectorXd steps = rises(volumes_, complex_.cellCount(), dropped);
+    double smallest = std::numeric_limits<double>::infinity();
     for (std::int32_t c = 0; c < complex_.cellCount(); ++c)
     {
-      const CellVolume& cell = volumes_[c];
-      for (const Share& target : cell.targets)
-      {
-        missing[target.material] += target.value;
-      }
-      for (std::size_t i = 0; i < cell.volumes.size(); ++i)
-      {
-        missing[cell.volumes[i].material] -= cell.volumes[i].value;
-        for (std::size_t j = 0; j < cell.volumes.size() && cell.volumes.size() > 1; ++j)
-        {
-          slopes(cell.volumes[i].material, cell.volumes[j].material) +=
-            cell.slopes(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-        }
-      }
+      smallest = std::min(smallest, volumes_[c].total);
     }
-    const double scale = slopes.trace() / materialCount_;
-    if (scale <= 0.0)
+    const double limit = largestMakeUp * std::cbrt(smallest);
+    const double largest = steps.size() > 0 ? steps.maxCoeff() - steps.minCoeff() : 0.0;
+    return largest > limit ? Eigen::VectorXd::Zero(dropped.size()) : dropped;
+  }
+
+  /// Raises each material everywhere by what its total volume still lacks, that in `extra` included.
+  void balanceTotals(const Eigen::VectorXd& extra)
+  {
+    double total = 0.0;
+    for (std::int32_t c = 0; c < complex_.cellCount(); ++c)
     {
-      return;
+      total += volumes_[c].total;
     }
-    slopes.diagonal().array() += 1e-9 * scale;
-    const Eigen::VectorXd step = slopes.ldlt().solve(missing);
-    forEach(complex_.vertexCount(), progress_, [&](std::int32_t v) {
-      for (Index i = values_.start[v]; i < values_.start[v + 1] && !fixed_[v]; ++i)
+    for (int balance = 0; balance < maximumBalances; ++balance)
+    {
+      const Eigen::VectorXd missing = extra + missingVolumes(volumes_, complex_.cellCount(), materialCount_);
+      if (missing.size() == 0 || missing.cwiseAbs().maxCoeff() <= totalTolerance * total)
       {
-        values_.values[i] += step[values_.materials[i]];
+        return;
+      }
+      raiseAll(rises(volumes_, complex_.cellCount(), missing));
+    }
+  }
+
+  void raiseAll(const Eigen::VectorXd& steps)
+  {
+    forEach(complex_.vertexCount(), progress_, [&](std::int32_t v) {
+      for (Index i = values_.start[v]; i < values_.start[v + 1] && !region_.outer[v]; ++i)
+      {
+        values_.values[i] += steps[values_.materials[i]];
       }
     });
     std::fill(changed_.begin(), changed_.end(), std::uint8_t{ 1 });
     update();
   }
 
+  const MixedRegion& region_;
   const CellComplex& complex_;
+  const CellsAround& around_;
   MaterialValues& values_;
   std::vector<double> start_; ///< the values before the correction
   Progress& progress_;
-  CellsAround around_;
   CellVolumes volumes_;
   std::vector<Request> requests_;
-  std::vector<std::uint8_t> changed_, fixed_; ///< by vertex
+  std::vector<std::uint8_t> changed_; ///< by vertex
   int materialCount_;
 };
 }
 
-void correctVolumes(const CellComplex& complex, const GridTopology& topology, const Fractions& fractions,
-  double minimumFraction, MaterialValues& values, Progress& progress)
+void correctVolumes(const MixedRegion& region, double minimumFraction, MaterialValues& values, Progress& progress)
 {
-  VolumeCorrection(complex, topology, fractions, minimumFraction, values, progress).run();
+  VolumeCorrection(region, minimumFraction, values, progress).run();
 }
 }

@@ -1,18 +1,14 @@
 #pragma once
 
-#include "Extract/CellComplex.h"
-#include "Extract/Fractions.h"
-#include "Extract/MaterialValues.h"
+#include "Extract/MixedRegion.h"
 
 namespace strata
 {
-/// Moves the values at the vertices of a complex so that each material's volume in each cell becomes its fraction.
+/// Moves the values at the vertices of a region so that each material's volume in each cell becomes its fraction.
 ///
 /// Sweeps over all cells: the steps that a Newton iteration on the exact volumes asks for in each cell, averaged at
 /// the vertices over the cells that ask. A material without a region in a cell is raised until it has one, if its
 /// fraction is at least `minimumFraction` or it has a region in a cell around. What is then still wrong in a cell, the
-/// values at its centre make right, which no other cell knows of. Values at vertices that other cells
-/// of the grid share stay.
-void correctVolumes(const CellComplex& complex, const GridTopology& topology, const Fractions& fractions,
-  double minimumFraction, MaterialValues& values, Progress& progress);
+/// values at its centre make right, which no other cell knows of. Values at outer vertices stay.
+void correctVolumes(const MixedRegion& region, double minimumFraction, MaterialValues& values, Progress& progress);
 }

@@ -1,6 +1,5 @@
 #include "Extract/Distances.h"
 
-#include "Extract/CellsAround.h"
 #include "Extract/ForEach.h"
 #include "Extract/VolumeBelow.h"
 
@@ -16,6 +15,10 @@ namespace
 constexpr int sweepCount = 4;
 /// Value of a fraction f without a direction, as a part of the cell's size times f - 1/2.
 constexpr double undirectedSlope = 0.1;
+
+/// A border that leaves less than this part of a cell on one side has a direction though the fractions around hardly
+/// change: those are set against the part itself.
+constexpr double smallFraction = 0.05;
 
 /// Added to the smaller part of a cell on either side of a border to weigh its plane among those of its neighbours:
 /// the plane through a small corner is the least certain.
@@ -39,11 +42,10 @@ struct Border
 class DistanceFit
 {
 public:
-  DistanceFit(const CellComplex& complex, const GridTopology& topology, const Fractions& fractions,
-    MaterialValues& values, Progress& progress) :
-    complex_(complex),
-    topology_(topology), fractions_(fractions), values_(values), progress_(progress), around_(complex),
-    means_(values.values), borders_(values.values.size()), sizes_(complex.cells.size())
+  DistanceFit(const MixedRegion& region, MaterialValues& values, Progress& progress) :
+    complex_(region.complex), topology_(region.topology), fractions_(region.fractions), values_(values),
+    progress_(progress), around_(region.around), means_(values.values), borders_(values.values.size()),
+    sizes_(complex_.cells.size())
   {}
 
   void run()
@@ -109,7 +111,8 @@ private:
         const Vector gradient = fit.col(e - begin).tail<3>();
         const double width = 2.0 * std::sqrt(gradient.dot(shape * gradient)); // |gradient| times the cell's width
         borders_[e].exists = true;
-        borders_[e].sharpness = ramp(2.0 * width, 0.3, 0.6);
+        const double scale = std::min(1.0, std::min(means_[e], 1.0 - means_[e]) / smallFraction);
+        borders_[e].sharpness = ramp(2.0 * width, 0.3 * scale, 0.6 * scale);
         setNormal(c, e, gradient);
       }
     }
@@ -227,16 +230,15 @@ private:
   const Fractions& fractions_;
   MaterialValues& values_;
   Progress& progress_;
-  CellsAround around_;
+  const CellsAround& around_;
   std::vector<double> means_;   ///< the fractions, by entry of the values
   std::vector<Border> borders_; ///< by entry; only those of cell centres are used
   std::vector<double> sizes_;   ///< cube root of each cell's volume
 };
 }
 
-void turnIntoDistances(const CellComplex& complex, const GridTopology& topology, const Fractions& fractions,
-  MaterialValues& values, Progress& progress)
+void turnIntoDistances(const MixedRegion& region, MaterialValues& values, Progress& progress)
 {
-  DistanceFit(complex, topology, fractions, values, progress).run();
+  DistanceFit(region, values, progress).run();
 }
 }

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "Extract/CellComplex.h"
-#include "Extract/Fractions.h"
-#include "Extract/MaterialValues.h"
+#include "Extract/MixedRegion.h"
 
 namespace strata
 {
@@ -13,6 +11,5 @@ namespace strata
 /// the cells around are averaged. The planes' normals come from the fractions in the cells around at first, then,
 /// in a few sweeps, from the distances at the cell's points. Where the fractions around have no common direction
 /// (a sheet thinner than a cell, a droplet) a value near zero lets the other materials decide.
-void turnIntoDistances(const CellComplex& complex, const GridTopology& topology, const Fractions& fractions,
-  MaterialValues& values, Progress& progress);
+void turnIntoDistances(const MixedRegion& region, MaterialValues& values, Progress& progress);
 }

@@ -71,22 +71,22 @@ ExtractedInterfaces extractFromFractions(const Simulation& simulation, const Ext
   const GridTopology& topology, const Boundary& boundary, Progress& progress)
 {
   const Fractions fractions(simulation, topology);
-  const MixedCells mixed =
-    findMixedCells(fractions, topology, options.minimumVolumeFraction, boundary.cellsAtOutside(progress), progress);
-  const CellComplex complex = makeCellComplex(topology, mixed.cells, progress);
-  MaterialValues values = makeMaterialValues(complex, fractions, progress);
+  const MixedRegion region(
+    topology, fractions, options.minimumVolumeFraction, boundary.cellsAtOutside(progress), progress);
+  MaterialValues values = makeMaterialValues(region.complex, fractions, progress);
   if (!fractions.atPoints())
   {
-    turnIntoDistances(complex, topology, fractions, values, progress);
-  }
-  if (options.volumeCorrection && !fractions.atPoints())
-  {
-    correctVolumes(complex, topology, fractions, options.minimumVolumeFraction, values, progress);
+    turnIntoDistances(region, values, progress);
+    keepInterfacesInside(region, values, progress);
+    if (options.volumeCorrection)
+    {
+      correctVolumes(region, options.minimumVolumeFraction, values, progress);
+    }
   }
   ExtractedInterfaces result;
-  const std::vector<std::uint8_t> winners = findWinners(complex, values);
-  result.interfaces = makeSurfaces(complex, values, winners, boundary, progress);
-  reportVolumes(complex, values, winners, fractions, topology, mixed, result, progress);
+  const std::vector<std::uint8_t> winners = findWinners(region.complex, values);
+  result.interfaces = makeSurfaces(region.complex, values, winners, boundary, progress);
+  reportVolumes(region, values, winners, result, progress);
   return result;
 }
 }

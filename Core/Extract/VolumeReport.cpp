@@ -88,12 +88,14 @@ void addCell(Index cell, double volume, const std::vector<Share>& shares, const 
 }
 }
 
-void reportVolumes(const CellComplex& complex, const MaterialValues& values, const std::vector<std::uint8_t>& winners,
-  const Fractions& fractions, const GridTopology& topology, const MixedCells& mixed, ExtractedInterfaces& result,
-  Progress& progress)
+void reportVolumes(const MixedRegion& region, const MaterialValues& values, const std::vector<std::uint8_t>& winners,
+  ExtractedInterfaces& result, Progress& progress)
 {
+  const GridTopology& topology = region.topology;
+  const Fractions& fractions = region.fractions;
+  const MixedCells& mixed = region.mixed;
   const auto materialCount = static_cast<std::size_t>(fractions.materialCount());
-  const std::vector<std::vector<Share>> regions = measureRegions(complex, values, winners, progress);
+  const std::vector<std::vector<Share>> regions = measureRegions(region.complex, values, winners, progress);
   result.cellVolumeErrors.assign(
     materialCount, std::vector<double>(static_cast<std::size_t>(topology.cellCount()), 0.0));
   const Index blockCount = (topology.cellCount() + blockSize - 1) / blockSize;

@@ -116,15 +116,15 @@ def check_slices(section, time, native, materials):
     return faults
 
 
-def check_all(representation, native, surfaces, margin=1e-4):
-    """`margin`: how far vertices may lie on the wrong side of an interface."""
+def check_all(representation, native, surfaces, margin=1e-4, distances=check_mesh.plane_distances):
+    """`margin`: how far vertices may lie on the wrong side of an interface; `distances`: see check_interfaces."""
     densities = native.densities(representation.materials)
     triangles = numpy.concatenate([surface[3] for surface in surfaces])
     sides = [numpy.concatenate([numpy.full(len(surface[3]), surface[side]) for surface in surfaces])
              for side in range(2)]
     return (check_mesh.check_mesh(representation, native.lower, native.upper)
             + check_mesh.check_field(representation, native.samples, densities, DENSITY_BOUND)
-            + check_mesh.check_interfaces(representation, surfaces, INTERFACE_BOUND)
+            + check_mesh.check_interfaces(representation, surfaces, INTERFACE_BOUND, distances)
             + check_mesh.check_vertices(representation, triangles, *sides, margin))
 
 
@@ -189,8 +189,8 @@ def spread(triangles, count):
     return (weights[:, :, None] * chosen).sum(axis=1)
 
 
-def farthest(points, triangles):
-    """The largest distance of points to triangles, by VTK's locator."""
+def nearest(points, triangles):
+    """The distances of points to triangles, by VTK's locator."""
     corners = vtkPoints()
     corners.SetData(numpy_to_vtk(triangles.reshape(-1, 3), deep=True))
     cells = vtkCellArray()
@@ -202,15 +202,15 @@ def farthest(points, triangles):
     locator.SetDataSet(surface)
     locator.BuildLocator()
     closest, cell, sub, squared = [0.0] * 3, reference(0), reference(0), reference(0.0)
-    largest = 0.0
-    for point in points:
+    result = numpy.empty(len(points))
+    for i, point in enumerate(points):
         locator.FindClosestPoint(point, closest, cell, sub, squared)
-        largest = max(largest, squared.get())
-    return largest ** 0.5
+        result[i] = squared.get() ** 0.5
+    return result
 
 
-def check_distances(represented, surfaces, bound, count=20000):
-    """Between each pair of materials, the original and the represented interface are near to each other, both ways."""
+def triangles_of(represented):
+    """(positive, negative) -> triangles of the represented interface."""
     triangulate = vtkTriangleFilter()
     triangulate.SetInputData(represented)
     triangulate.Update()
@@ -218,11 +218,17 @@ def check_distances(represented, surfaces, bound, count=20000):
     sides = [vtk_to_numpy(represented.GetCellData().GetArray(side + "_material")) for side in ("positive", "negative")]
     points = vtk_to_numpy(represented.GetPoints().GetData()).astype(float)
     triangles = points[vtk_to_numpy(represented.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
+    pairs = set(zip(*sides))
+    return {(p, n): triangles[(numpy.isin(sides[0], (p, n))) & (numpy.isin(sides[1], (p, n)))]
+            for a, b in pairs for p, n in ((a, b), (b, a))}
+
+
+def check_distances(represented, surfaces, bound, count=20000):
+    """Between each pair of materials, the original and the represented interface are near to each other, both ways."""
     faults = []
     for positive, negative, _, original in surfaces:
-        own = triangles[((sides[0] == positive) & (sides[1] == negative))
-                        | ((sides[0] == negative) & (sides[1] == positive))]
-        found = max(farthest(spread(original, count), own), farthest(spread(own, count), original))
+        own = represented[positive, negative]
+        found = max(nearest(spread(original, count), own).max(), nearest(spread(own, count), original).max())
         print(f"  {positive}|{negative}: {found:.4f} between original and represented interface")
         if found > bound:
             faults.append(f"interfaces: {positive}|{negative} are {found} apart, not {bound}")
@@ -238,18 +244,24 @@ def check_certified(tetrahedra, time, native, surfaces):
         tetrahedra.ErrorMethod = method
         grid = output(tetrahedra, time)
         representation = Representation(grid, "density")
+        own = triangles_of(output(represented, time))
+        vertices = {surface[:2]: surface[2] for surface in surfaces}
+
+        def distances(_, positive, negative, located):
+            return nearest(vertices[positive, negative], own[positive, negative])[located[1]]
+
         # Claims are about all points: the samples alone need not reach them.
-        found = check_all(representation, native, surfaces, numpy.inf)
+        found = check_all(representation, native, surfaces, numpy.inf, distances)
         faults += [fault for fault in found if ": claimed" not in fault]
         claimed = grid.GetFieldData().GetArray("achieved_interface_error").GetValue(0)
         # The step has a disc without thickness that no cell shows.
         if claimed > 1.001 * INTERFACE_BOUND:
             faults.append(f"interfaces: {claimed} achieved")
-        faults += check_distances(output(represented, time), surfaces, claimed)
+        faults += check_distances(own, surfaces, claimed)
         print(f"t = {time}, certified, {method}: {len(representation.cells)} cells, {len(faults)} faults")
     tetrahedra.NativeElements = "Points"
     tetrahedra.ErrorMethod = "Direct"
-    if not check_distances(output(represented, time), surfaces, INTERFACE_BOUND):
+    if not check_distances(triangles_of(output(represented, time)), surfaces, INTERFACE_BOUND):
         faults.append("interfaces: a mesh with errors at points passes the check of distances")
     return faults
 

@@ -135,21 +135,27 @@ def check_field(representation, samples, materials, bound):
     return faults + check_errors("field", errors, representation.field_errors, bound)
 
 
-def check_interfaces(representation, surfaces, bound):
-    """`surfaces`: (positive, negative, vertices, ...). Distances to the plane where both materials are as far."""
+def plane_distances(representation, positive, negative, located):
+    """Distances of located points to where both materials are as far: a plane, or everything."""
+    cells, _, weights = located
+    difference = representation.distances[negative] - representation.distances[positive]
+    corners = difference[representation.cells[cells]]
+    gradient = numpy.einsum("ni,nij->nj", corners, representation.gradients()[cells])
+    values = numpy.abs(interpolate(corners, weights))
+    with numpy.errstate(divide="ignore", invalid="ignore"):
+        return numpy.where(values == 0.0, 0.0, values / numpy.linalg.norm(gradient, axis=1))
+
+
+def check_interfaces(representation, surfaces, bound, distances=plane_distances):
+    """`surfaces`: (positive, negative, vertices, ...). `distances`: of located vertices to what stands for them."""
     faults = []
     errors = numpy.zeros(len(representation.cells))
-    gradients = representation.gradients()
     for positive, negative, vertices, _ in surfaces:
-        cells, members, weights = locate(representation, vertices)
-        if len(numpy.unique(members)) < len(vertices):
+        located = locate(representation, vertices)
+        if len(numpy.unique(located[1])) < len(vertices):
             faults.append(f"interface {positive}|{negative}: vertices lie in no cell")
-        difference = representation.distances[negative] - representation.distances[positive]
-        corners = difference[representation.cells[cells]]
-        gradient = numpy.einsum("ni,nij->nj", corners, gradients[cells])
-        with numpy.errstate(divide="ignore", invalid="ignore"):
-            distance = numpy.abs(interpolate(corners, weights)) / numpy.linalg.norm(gradient, axis=1)
-        errors = numpy.maximum(errors, largest_per_cell(len(errors), cells, distance))
+        found = distances(representation, positive, negative, located)
+        errors = numpy.maximum(errors, largest_per_cell(len(errors), located[0], found))
     return faults + check_errors("interface", errors, representation.interface_errors, bound)
 
 
