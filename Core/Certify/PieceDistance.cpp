@@ -106,11 +106,12 @@ private:
     return best;
   }
 
-  /// Takes an upper bound for good if it is close enough to what is known.
+  /// Takes an upper bound for good if it is close enough to a distance that was seen; else bounds taken one after the
+  /// other would drift away from the truth.
   bool settles(double upper)
   {
     const double tolerance = upper <= limit_ ? coarseTolerance : fineTolerance;
-    const bool enough = upper <= std::max(lower_, settled_) + tolerance * limit_;
+    const bool enough = upper <= std::max(settled_, lower_ + tolerance * limit_);
     settled_ = enough ? std::max(settled_, upper) : settled_;
     return enough;
   }

@@ -121,6 +121,49 @@ TEST(Hausdorff, ConcentricIcosahedraDifferByRadiusOutsideAndByInradiusInside)
   expectWithin(found.representedToOriginal, 0.5 * inradius, 1e-4);
 }
 
+TEST(Hausdorff, ConcentricSpheresDifferByTheirRadiiOutsideAndByTheirFarthestFacesInside)
+{
+  // Outside as above. Inside, the face farthest from the center decides: no point of the inner sphere is farther from
+  // the outer one than (R - r) times the distance of its face from the center, and the face's foot point is as far
+  // unless another face's plane is closer.
+  const double inner = 0.9;
+  const Triangles unit = sphereSurface(Vector::Zero(), 1.0, 3);
+  double largest = 0.0;
+  Vector foot = Vector::Zero();
+  for (const auto& [a, b, c] : unit)
+  {
+    const Vector normal = (b - a).cross(c - a).normalized();
+    if (a.dot(normal) > largest)
+    {
+      largest = a.dot(normal);
+      foot = inner * largest * normal;
+    }
+  }
+  for (const auto& [a, b, c] : unit)
+  {
+    const Vector normal = (b - a).cross(c - a).normalized();
+    ASSERT_GE(a.dot(normal) - foot.dot(normal), (1.0 - inner) * largest - 1e-12);
+  }
+  const HausdorffDistance found = distance(unit, sphereSurface(Vector::Zero(), inner, 3), 1e-4);
+  expectWithin(found.originalToRepresented, 1.0 - inner, 1e-4);
+  expectWithin(found.representedToOriginal, (1.0 - inner) * largest, 1e-4);
+}
+
+TEST(Hausdorff, AMissingDropletIsAsFarAsItsFarthestVertexFromWhatIsLeft)
+{
+  Triangles withDroplet = parallelogram({ 0, 0, 0 }, 4.0 * Vector::UnitX(), 4.0 * Vector::UnitY(), 5);
+  const Triangles plane = withDroplet;
+  double height = 0.0;
+  for (const auto& triangle : sphereSurface({ 1.9, 2.2, 0.7 }, 0.3, 2))
+  {
+    withDroplet.push_back(triangle);
+    height = std::max({ height, triangle[0].z(), triangle[1].z(), triangle[2].z() });
+  }
+  const HausdorffDistance found = distance(withDroplet, plane, 1e-4);
+  expectWithin(found.originalToRepresented, height, 1e-4);
+  expectWithin(found.representedToOriginal, 0.0, 1e-4);
+}
+
 TEST(Hausdorff, AnInscribedSphereIsAsFarInsideAsItsFlattestFace)
 {
   // The faces of the coarse sphere lie between the radius and the smallest distance of a face from the center.
