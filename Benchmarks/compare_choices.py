@@ -11,8 +11,9 @@ from pathlib import Path
 
 import numpy
 import real_data
+import real_data_sets
 
-# Name in real_data.DATA_SETS -> bounds as parts of the diagonal and of the field's range, cubes of the base mesh.
+# Name in real_data_sets.DATA_SETS -> bounds as parts of the diagonal and of the field's range, cubes of the base mesh.
 CASES = {"sphere": ("0.002:0.01", [3, 3, 3]), "cth": ("0.02:0.04", [2, 1, 1]), "dam break": ("0.04:0.08", [2, 2, 1])}
 PAPERS = ["DistanceMethod=1", "GhostMethod=2", "MaximumLevel=30"]
 # Name, error method, how much tighter than the level's bounds the hierarchy is built, properties of the filter.
@@ -52,10 +53,10 @@ def row_of(name, choice, options):
     settings = [text.format(cubes=cubes) for text in settings]
     if finer > 1:
         interface, field = map(float, bounds.split(":"))
-        diagonal = real_data.diagonal_of(real_data.read(options.folder / real_data.DATA_SETS[name][0]))
+        diagonal = real_data.diagonal_of(real_data_sets.load(options.folder, name)[0])
         settings += [f"FinestInterfaceErrorBound={interface * diagonal / finer}",
                      f"FinestFieldErrorBound={field / finer}"]
-    run = argparse.Namespace(folder=options.folder, defaults=False, bounds=bounds, certified=options.certified,
+    run = argparse.Namespace(folder=options.folder, defaults=False, bounds=bounds, certified=options.certified, points=False,
                              method=method, set=settings, measure=False, sample=False, seconds=options.seconds)
     return next(real_data.run_apart(name, run))
 
@@ -88,7 +89,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         sphere = Path(folder) / "sphere.vtr"
         write_sphere(sphere)
-        real_data.DATA_SETS["sphere"] = (sphere, {"field": "heat"})
+        real_data_sets.DATA_SETS["sphere"] = (sphere, {"field": "heat"})
         for name in options.only.split(",") if options.only else CASES:
             show(name, options)
 

@@ -14,6 +14,7 @@ import numpy
 import real_data
 import strata
 from paraview import simple
+from real_data_sets import load
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
@@ -100,8 +101,7 @@ def draw(surfaces, path):
 
 def run(name, folder, pictures):
     """A line of the table."""
-    file, settings = real_data.DATA_SETS[name]
-    data = real_data.read(folder / file)
+    data, settings = load(folder, name)
     algorithm = real_data.configured(strata.vtkStrataMaterialInterfaces(), settings, False)
     algorithm.SetVolumeErrors(True)
     algorithm.SetInputDataObject(0, data)

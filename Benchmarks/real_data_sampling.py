@@ -1,151 +1,18 @@
 """What a representation's errors are at points that are chosen here, found with VTK and numpy and none of Strata's code.
 
-Native samples (cell centres) are compared with the linear interpolation of their material's values, vertices of the
-original interfaces with the plane of their cell, and points strewn over both interfaces with the other one.
+Native fields (see real_data_native.py) are compared with the linear interpolation of their material's values, vertices
+of the original interfaces with the plane of their cell, and points strewn over both interfaces with the other one.
 """
 import numpy
 import strata
+from real_data_native import Samples, between
+from real_data_sets import as_numpy, leaves
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference, vtkIdList, vtkPoints
-from vtkmodules.vtkCommonDataModel import (
-    VTK_POLYHEDRON, vtkCellArray, vtkCompositeDataSet, vtkHyperTreeGrid, vtkPolyData, vtkStaticCellLocator,
-    vtkStructuredGrid, vtkUnstructuredGrid)
-from vtkmodules.vtkFiltersCore import vtkCellCenters, vtkProbeFilter, vtkTriangleFilter
-from vtkmodules.vtkFiltersHyperTree import vtkHyperTreeGridToUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersCore import vtkProbeFilter, vtkTriangleFilter
 
-MINIMUM_VOLUME_FRACTION = 0.1
 STREWN = 4000
-SHAPES = {  # VTK cell type -> faces
-    12: [(0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)],
-    10: [(0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3)],
-    13: [(0, 1, 2), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)],
-    14: [(0, 1, 2, 3), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)],
-}
-
-
-def as_numpy(array):
-    return vtk_to_numpy(array).astype(float)
-
-
-def leaves(data):
-    """The data sets that hold cells."""
-    if isinstance(data, vtkHyperTreeGrid):
-        convert = vtkHyperTreeGridToUnstructuredGrid()
-        convert.SetInputData(data)
-        convert.Update()
-        return [convert.GetOutput()]
-    if not isinstance(data, vtkCompositeDataSet):
-        return [data]
-    iterator, result = data.NewIterator(), []
-    iterator.InitTraversal()
-    while not iterator.IsDoneWithTraversal():
-        result.append(iterator.GetCurrentDataObject())
-        iterator.GoToNextItem()
-    return result
-
-
-def fan_centroids(points, faces):
-    """Centres of volume of cells: tetrahedra from the mean corner to triangles round the means of the faces.
-    `points`: cells x corners x 3."""
-    apex = points.mean(axis=1)
-    volumes, moments = 0.0, 0.0
-    for face in faces:
-        corners = points[:, face] - apex[:, None]
-        middle = corners.mean(axis=1)
-        for i in range(len(face)):
-            a, b = corners[:, i], corners[:, (i + 1) % len(face)]
-            volume = numpy.abs((middle * numpy.cross(a, b)).sum(axis=1))
-            volumes = volumes + volume
-            moments = moments + volume[:, None] * 0.25 * (middle + a + b)
-    return apex + moments / volumes[:, None]
-
-
-def polyhedron_centroid(data, cell):
-    ids = vtkIdList()
-    data.GetFaceStream(cell, ids)
-    stream = [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
-    faces, at = [], 1
-    for _ in range(stream[0]):
-        faces.append(stream[at + 1:at + 1 + stream[at]])
-        at += stream[at] + 1
-    corners = sorted(set(sum(faces, [])))
-    points = numpy.array([data.GetPoint(p) for p in corners])
-    return fan_centroids(points[None], [[corners.index(p) for p in face] for face in faces])[0]
-
-
-def centers(data):
-    """Centres of volume of a data set's cells."""
-    if isinstance(data, vtkStructuredGrid):
-        shape = [0] * 3
-        data.GetDimensions(shape)
-        points = as_numpy(data.GetPoints().GetData()).reshape(shape[2], shape[1], shape[0], 3)
-        corners = [points[c:shape[2] - 1 + c, b:shape[1] - 1 + b, a:shape[0] - 1 + a].reshape(-1, 3)
-                   for a, b, c in ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))]
-        return fan_centroids(numpy.stack(corners, axis=1), SHAPES[12])
-    if not isinstance(data, vtkUnstructuredGrid):
-        filter_ = vtkCellCenters()
-        filter_.SetInputData(data)
-        filter_.Update()
-        return as_numpy(filter_.GetOutput().GetPoints().GetData())
-    result = numpy.full((data.GetNumberOfCells(), 3), numpy.nan)
-    kinds = vtk_to_numpy(data.GetCellTypesArray())
-    offsets, corners = (vtk_to_numpy(a) for a in (data.GetCells().GetOffsetsArray(),
-                                                  data.GetCells().GetConnectivityArray()))
-    places = as_numpy(data.GetPoints().GetData())
-    for kind, faces in SHAPES.items():
-        cells = numpy.flatnonzero(kinds == kind)
-        count = 1 + max(max(face) for face in faces)
-        if len(cells):
-            result[cells] = fan_centroids(places[corners[offsets[cells][:, None] + numpy.arange(count)]], faces)
-    voxels = numpy.flatnonzero(kinds == 11)
-    result[voxels] = places[corners[offsets[voxels][:, None] + numpy.arange(8)]].mean(axis=1)
-    for cell in numpy.flatnonzero(kinds == VTK_POLYHEDRON):
-        result[cell] = polyhedron_centroid(data, cell)
-    return result
-
-
-def fraction_array(cells, material):
-    """The array of a material's fractions by the conventions that the data sets follow; None for what is left."""
-    number = material.rsplit(" ", 1)[-1]
-    for name in (f"volume_fraction_{material}", f"vf_{material}", f"alpha.{material}", f"{material}_fraction",
-                 f"Volume Fraction for {material}", f"{material} Volume Fraction", f"{material} volume fraction",
-                 f"Material volume fraction - {number}"):
-        if cells.HasArray(name):
-            return as_numpy(cells.GetArray(name))
-    return None
-
-
-def fractions(cells, materials, settings, count):
-    """One row of fractions per material."""
-    if "ids" in settings:
-        ids = as_numpy(cells.GetArray(settings["ids"]))
-        return numpy.stack([ids == float(name.rsplit(" ", 1)[-1]) if name != "outside" else 0.0 * ids
-                            for name in materials])
-    rows = [fraction_array(cells, name) for name in materials]
-    known = [row for row in rows if row is not None]
-    rest = 1.0 - sum(known) if known else numpy.ones(count)
-    return numpy.stack([rest if row is None and name != "outside" else 0.0 * rest if row is None else row
-                        for row, name in zip(rows, materials)])
-
-
-def native_samples(run, materials, field):
-    """Positions, fractions (a row per material) and a function that gives a material's values."""
-    positions, parts, blocks = [], [], []
-    for leaf in leaves(run.data):
-        cells = leaf.GetCellData()
-        ghosts = cells.GetArray("vtkGhostType")
-        seen = vtk_to_numpy(ghosts) == 0 if ghosts else numpy.ones(leaf.GetNumberOfCells(), bool)
-        positions.append(centers(leaf)[seen])
-        parts.append(fractions(cells, materials, run.settings, leaf.GetNumberOfCells())[:, seen])
-        blocks.append((cells, seen))
-
-    def values(material):
-        own = f"{field}_{material}"
-        names = [own if cells.HasArray(own) else field for cells, _ in blocks]
-        return numpy.concatenate([as_numpy(cells.GetArray(name))[seen].reshape(seen.sum(), -1)
-                                  for name, (cells, seen) in zip(names, blocks)])
-
-    return numpy.concatenate(positions), numpy.concatenate(parts, axis=1), values
 
 
 class Mesh:
@@ -206,24 +73,32 @@ class Mesh:
         return numpy.concatenate([-rest.sum(axis=1, keepdims=True), rest], axis=1)
 
 
-def field_error(mesh, run, materials, field):
-    """Largest error at native samples; samples that VTK finds in no cell are left out."""
-    if not leaves(run.data)[0].GetCellData().HasArray(field) and not any(
-            leaves(run.data)[0].GetCellData().HasArray(f"{field}_{name}") for name in materials):
-        return {}
-    positions, parts, values = native_samples(run, materials, field)
-    largest = parts.argmax(axis=0)
+def largest_error(mesh, represented, positions, values):
+    """Of a material's values at some positions; where the mesh lacks the material, and outside of it, none is taken."""
     found, weights = mesh.locate(positions)
-    worst = 0.0
+    inside = found >= 0
+    corners = represented.reshape(len(represented), -1)[mesh.cells[found[inside]]]
+    weights = weights[inside][..., None]
+    weighed = numpy.where(weights > 1e-7, weights * corners, numpy.nan_to_num(weights * corners)).sum(axis=1)
+    errors = numpy.linalg.norm(weighed - values[inside], axis=1)
+    errors = errors[~numpy.isnan(errors)]
+    return errors.max() if len(errors) else 0.0
+
+
+def field_error(mesh, run, materials, field):
+    """Largest error at native samples, and for certified errors between them too."""
+    samples = Samples(run, materials, field)
+    at_samples, among, magnitude = 0.0, 0.0, 0.0
     for m, name in enumerate(materials):
-        represented = mesh.array(f"{field}_{name}")
-        counts = ((parts[m] >= MINIMUM_VOLUME_FRACTION) | (largest == m)) & (found >= 0)
-        if represented is None or not counts.any():
+        represented, values = mesh.array(f"{field}_{name}"), samples.values(name)
+        counts = samples.counts[m]
+        if represented is None or values is None or not counts.any():
             continue
-        corners = represented.reshape(len(represented), -1)[mesh.cells[found[counts]]]
-        weighed = numpy.where(weights[counts][..., None] > 1e-7, weights[counts][..., None] * corners, 0.0).sum(axis=1)
-        worst = max(worst, numpy.linalg.norm(weighed - values(name)[counts], axis=1).max())
-    return {"sampled field": worst}
+        magnitude = max(magnitude, numpy.abs(values[counts]).max())
+        at_samples = max(at_samples, largest_error(mesh, represented, samples.positions[counts], values[counts]))
+        if run.options.certified:
+            among = max(among, largest_error(mesh, represented, *between(samples, m, values)))
+    return {"sampled field": max(at_samples, among), "sampled between": among, "magnitude": magnitude}
 
 
 def surfaces(data):
