@@ -86,6 +86,7 @@ bool vtkStrataTetrahedra::Internals::prepare(
   const conversion::CaseData input = conversion::splitCase(inputs.simulation);
   conversion::ReadSimulationResult read = conversion::readSimulation(input, filter.ArrayLists->options(filter));
   this->warnings = std::move(read.warnings);
+  this->deviations = std::move(read.deviations);
   progress.stage("Finding the interfaces", 0.0, 0.0);
   strata::Interfaces found = this->interfaces.get(
     input, inputs.interfaces, read.simulation, filter.MinimumVolumeFraction, this->warnings, progress);

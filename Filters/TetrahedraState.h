@@ -3,6 +3,8 @@
 #include "KeptInterfaces.h"
 #include "vtkStrataTetrahedra.h"
 
+#include "Conversion/ReadSimulation.h"
+
 #include "Pipeline.h"
 
 #include <memory>
@@ -61,6 +63,7 @@ struct vtkStrataTetrahedra::Internals
   std::shared_ptr<const strata::NativeData> native;
   std::unique_ptr<strata::Multiresolution> multiresolution;
   std::vector<std::string> warnings;
+  strata::conversion::Deviations deviations; ///< of the input that the hierarchy was built from
 
   strata::Achieved achieved;
   std::string fieldErrorText;

@@ -126,6 +126,7 @@ int vtkStrataTetrahedra::RequestData(vtkInformation*, vtkInformationVector** inp
     strata::Mesh mesh = state.multiresolution->level(state.selection(*this), progress, state.emission(*this));
     state.report(mesh);
     conversion::writeMesh(std::move(mesh), output);
+    conversion::writeDeviations(state.deviations, state.native->fields(), output);
     guard.done();
   });
   this->AchievedInterfaceError = state.achieved.interfaceError;

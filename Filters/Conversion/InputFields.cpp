@@ -320,6 +320,8 @@ public:
     }
   }
 
+  double deviation() const { return jump_ + deviation_; }
+
 private:
   ValueArray onCurvedCells(const std::string& array, std::size_t material)
   {
@@ -345,7 +347,8 @@ private:
   double deviation_ = 0.0;
 };
 
-SimulationField fieldOf(const InputGrid& input, const FieldPlan& plan, const Simulation& simulation, Warnings& warnings)
+SimulationField fieldOf(
+  const InputGrid& input, const FieldPlan& plan, const Simulation& simulation, Warnings& warnings, double& deviation)
 {
   SimulationField field;
   field.name = plan.name;
@@ -373,19 +376,23 @@ SimulationField fieldOf(const InputGrid& input, const FieldPlan& plan, const Sim
     field.components = components;
   }
   arrays.warn();
+  deviation = arrays.deviation();
   field.components = std::max(field.components, 1);
   return field;
 }
 }
 
-void readFields(const InputGrid& input, const CaseDescription& description, const SimulationOptions& options,
-  const MaterialRoles& roles, Simulation& simulation, Warnings& warnings)
+std::vector<double> readFields(const InputGrid& input, const CaseDescription& description,
+  const SimulationOptions& options, const MaterialRoles& roles, Simulation& simulation, Warnings& warnings)
 {
+  std::vector<double> deviations;
   const std::vector<FieldPlan> plans = plansFor(input, description, options, roles, simulation);
   settleMaterials(description, options, plans, simulation.materials);
   for (std::size_t f = 0; f < plans.size() && options.readFields; ++f)
   {
-    simulation.fields.push_back(fieldOf(input, plans[f], simulation, warnings));
+    deviations.push_back(0.0);
+    simulation.fields.push_back(fieldOf(input, plans[f], simulation, warnings, deviations.back()));
   }
+  return deviations;
 }
 }

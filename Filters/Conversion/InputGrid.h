@@ -58,6 +58,8 @@ struct InputGrid
   std::vector<Index> cornerSource;
   /// The largest distance between a curved cell and its pieces, where it is bounded.
   double placeDeviation = 0.0;
+  /// Whether there are curved cells whose distance from their pieces is not bounded.
+  bool hasUnboundedCurves = false;
   /// Space in the box that no cell fills, or may not fill.
   bool hasOutside = false;
   Warnings warnings;

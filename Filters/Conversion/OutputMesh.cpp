@@ -114,4 +114,17 @@ void writeMesh(Mesh&& mesh, vtkUnstructuredGrid* output)
   cells->SetData(4, give<vtkTypeInt64Array>("", std::move(mesh.tetrahedra)));
   output->SetCells(VTK_TETRA, cells);
 }
+
+void writeDeviations(const Deviations& deviations, const std::vector<Field>& fields, vtkUnstructuredGrid* output)
+{
+  if (deviations.places == 0.0)
+  {
+    return;
+  }
+  addNumber(output->GetFieldData(), "not_in_interface_error", deviations.places);
+  for (std::size_t f = 0; f < fields.size(); ++f)
+  {
+    addNumber(output->GetFieldData(), "not_in_field_error_" + fields[f].name, deviations.fields[f]);
+  }
+}
 }

@@ -21,11 +21,20 @@ struct SimulationOptions
   bool readFields = true; ///< off: the fields' values are left out
 };
 
+/// How far the data may lie from what errors are measured against, where curved cells are cut into linear ones:
+/// lengths, and one number per field in its unit. Infinite where there is no bound, 0 where there are no curved cells.
+struct Deviations
+{
+  double places = 0.0;
+  std::vector<double> fields;
+};
+
 /// A simulation ready for the core, and what there is to tell about it.
 struct ReadSimulationResult
 {
   Simulation simulation;
   InputGrid source; ///< its grid is empty: it moved into the simulation
+  Deviations deviations;
   Warnings warnings;
 };
 

@@ -277,6 +277,7 @@ void UnstructuredBuilder::warn(InputGrid& result) const
   }
   if (straightened_ > 0)
   {
+    result.hasUnboundedCurves = true;
     result.warnings.push_back(
       std::to_string(straightened_) + " curved cells are taken as straight cells between their corners");
   }
@@ -284,6 +285,7 @@ void UnstructuredBuilder::warn(InputGrid& result) const
   {
     const bool bounded = std::all_of(result.curved.begin(), result.curved.end(),
       [](const CurvedCell& cell) { return !cell.pattern->deviation.empty(); });
+    result.hasUnboundedCurves = result.hasUnboundedCurves || !bounded;
     std::ostringstream text;
     text << result.curved.size() << " curved cells are taken as linear ones between their nodes, which lie within "
          << result.placeDeviation << " of them"

@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 #include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkIntArray.h>
 #include <vtkPointData.h>
 #include <vtkTetra.h>
+#include <vtkTriQuadraticHexahedron.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <cmath>
@@ -27,6 +31,33 @@ struct Tetrahedra : testing::Test
   vtkSmartPointer<vtkImageData> input = twoHalves(8);
   vtkNew<vtkStrataTetrahedra> filter;
 };
+
+/// A unit cube of degree 2 whose top bulges by `height` in the middle of x, with 4 x (1 - x) at its points.
+vtkSmartPointer<vtkUnstructuredGrid> bulgingCell(double height)
+{
+  vtkNew<vtkTriQuadraticHexahedron> shape;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> density;
+  density->SetName("density");
+  std::vector<vtkIdType> nodes;
+  for (int node = 0; node < shape->GetNumberOfPoints(); ++node)
+  {
+    const double* p = shape->GetParametricCoords() + 3 * node;
+    const double bulge = 4.0 * p[0] * (1.0 - p[0]);
+    nodes.push_back(points->InsertNextPoint(p[0], p[1], p[2] * (1.0 + height * bulge)));
+    density->InsertNextValue(bulge);
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  grid->InsertNextCell(VTK_TRIQUADRATIC_HEXAHEDRON, shape->GetNumberOfPoints(), nodes.data());
+  grid->GetPointData()->AddArray(density);
+  vtkNew<vtkIntArray> material;
+  material->SetName("material");
+  material->InsertNextValue(1);
+  grid->GetCellData()->AddArray(material);
+  return grid;
+}
 
 void abortFilter(vtkObject* caller, unsigned long, void*, void*)
 {
@@ -162,4 +193,21 @@ TEST_F(Tetrahedra, AnAbortGivesAnEmptyOutputAndNoError)
   filter->Modified();
   EXPECT_EQ(update(filter).error, "");
   EXPECT_GT(cellsOf(filter), 0);
+}
+
+TEST_F(Tetrahedra, TheOutputSaysWhatCurvedCellsAddToItsErrors)
+{
+  const auto number = [&](const char* name) {
+    auto* array = vtkDoubleArray::SafeDownCast(mesh()->GetFieldData()->GetAbstractArray(name));
+    return array ? array->GetValue(0) : -1.0;
+  };
+  ASSERT_EQ(update(filter).error, "");
+  EXPECT_EQ(-1.0, number("not_in_interface_error"));
+  filter->SetInputData(bulgingCell(0.2));
+  ASSERT_EQ(update(filter).error, "");
+  // Half a parabola's chord stays a quarter of its height below it; the bound may be twice as large.
+  EXPECT_GE(number("not_in_interface_error"), 0.25 * 0.2);
+  EXPECT_LE(number("not_in_interface_error"), 0.5 * 0.2 + 1e-12);
+  EXPECT_GE(number("not_in_field_error_density"), 0.25 - 1e-12);
+  EXPECT_LE(number("not_in_field_error_density"), 0.5 + 1e-12);
 }
