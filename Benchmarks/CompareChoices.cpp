@@ -5,8 +5,10 @@
 #include "Native/ReadNativeData.h"
 #include "Pipeline.h"
 
-#include <chrono>
 #include <cstdio>
+#include <ctime>
+#include <map>
+#include <string>
 
 using namespace strata;
 using namespace strata::benchmarks;
@@ -58,7 +60,7 @@ constexpr int maximumLevel = 30;
 struct Outcome
 {
   Index cells;
-  double seconds;
+  double seconds; ///< processor time of all threads
   Achieved achieved;
 };
 
@@ -98,12 +100,25 @@ Outcome run(const Impact& data, const Interfaces& interfaces, const Choices& cho
   select.finestBounds = bounds(wanted.interfaceError / choices.depth, wanted.fieldErrors.front() / choices.depth);
   select.errorMethod = choices.error;
   Progress progress;
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   const Mesh mesh = choices.separated
                       ? Multiresolution(data.native, interfaces, build).level(select, progress)
                       : Multiresolution(withoutMaterials(data), Interfaces(), build).level(select, progress);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  return { mesh.cellCount(), seconds.count(), mesh.achieved };
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  return { mesh.cellCount(), seconds, mesh.achieved };
+}
+
+/// What bounds over whole cells cost beside bounds at points, both timed in this run.
+void showCostOfCertainty(const std::map<std::string, Outcome>& outcomes)
+{
+  for (const auto& [certified, points] : { std::pair("certified", "Strata"), { "certified, fitted", "Strata fitted" } })
+  {
+    const Outcome& dear = outcomes.at(certified);
+    const Outcome& cheap = outcomes.at(points);
+    const double times = dear.seconds / cheap.seconds;
+    std::printf("%s: %.1f times the time of \"%s\", %.1f times per cell\n", certified, times, points,
+      times * static_cast<double>(cheap.cells) / static_cast<double>(dear.cells));
+  }
 }
 
 void compare(const Impact& data, const Interfaces& interfaces, const ErrorBounds& wanted)
@@ -112,6 +127,7 @@ void compare(const Impact& data, const Interfaces& interfaces, const ErrorBounds
   std::printf("%-30s %10s %9s %10s %9s %9s  %s\n", "choices", "cells", "of paper", "interface", "density", "seconds",
     "stopped by");
   double ofPaper = 0.0;
+  std::map<std::string, Outcome> outcomes;
   for (const Choices& choices : all)
   {
     const Outcome outcome = run(data, interfaces, choices, wanted);
@@ -120,7 +136,9 @@ void compare(const Impact& data, const Interfaces& interfaces, const ErrorBounds
     std::printf("%-30s %10.0f %9.3f %10.4f %9.4f %9.3f  %s\n", choices.name, cells, cells / ofPaper,
       outcome.achieved.interfaceError, outcome.achieved.fieldErrors.front(), outcome.seconds,
       outcome.achieved.stoppedBy.c_str());
+    outcomes[choices.name] = outcome;
   }
+  showCostOfCertainty(outcomes);
 }
 }
 

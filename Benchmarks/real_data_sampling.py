@@ -73,21 +73,37 @@ class Mesh:
         return numpy.concatenate([-rest.sum(axis=1, keepdims=True), rest], axis=1)
 
 
-def largest_error(mesh, represented, positions, values):
-    """Of a material's values at some positions; where the mesh lacks the material, and outside of it, none is taken."""
-    found, weights = mesh.locate(positions)
-    inside = found >= 0
-    corners = represented.reshape(len(represented), -1)[mesh.cells[found[inside]]]
-    weights = weights[inside][..., None]
-    weighed = numpy.where(weights > 1e-7, weights * corners, numpy.nan_to_num(weights * corners)).sum(axis=1)
-    errors = numpy.linalg.norm(weighed - values[inside], axis=1)
-    errors = errors[~numpy.isnan(errors)]
-    return errors.max() if len(errors) else 0.0
+class Interpolated:
+    """A material's field in a mesh, at some positions; those outside are left out."""
+
+    def __init__(self, mesh, represented, positions):
+        self.cells, weights = mesh.locate(positions)
+        self.inside = self.cells >= 0
+        self.cells = self.cells[self.inside]
+        self.weights = weights[self.inside][..., None]
+        self.values = self.weighed(represented.reshape(len(represented), -1)[mesh.cells[self.cells]])
+
+    def weighed(self, corners):
+        """Corners that hardly count may lack the material."""
+        parts = self.weights * corners
+        return numpy.where(self.weights > 1e-7, parts, numpy.nan_to_num(parts)).sum(axis=1)
+
+    def largest_error(self, values, chosen=slice(None)):
+        errors = numpy.linalg.norm(self.values - values[self.inside], axis=1)[chosen]
+        errors = errors[~numpy.isnan(errors)]
+        return errors.max() if len(errors) else 0.0
+
+    def nearest(self, mesh, distances):
+        """The material at each of the positions."""
+        corners = distances[:, mesh.cells[self.cells]]
+        return numpy.nan_to_num((self.weights[..., 0] * corners).sum(axis=2), nan=numpy.inf).argmin(axis=0)
 
 
 def field_error(mesh, run, materials, field):
-    """Largest error at native samples, and for certified errors between them too."""
+    """Largest error at native samples. For certified errors between them too, in cells that hold a sample of the
+    material and where the mesh shows the material: elsewhere its values serve other cells."""
     samples = Samples(run, materials, field)
+    distances = numpy.stack([mesh.array("distance_" + name) for name in materials])
     at_samples, among, magnitude = 0.0, 0.0, 0.0
     for m, name in enumerate(materials):
         represented, values = mesh.array(f"{field}_{name}"), samples.values(name)
@@ -95,9 +111,13 @@ def field_error(mesh, run, materials, field):
         if represented is None or values is None or not counts.any():
             continue
         magnitude = max(magnitude, numpy.abs(values[counts]).max())
-        at_samples = max(at_samples, largest_error(mesh, represented, samples.positions[counts], values[counts]))
+        there = Interpolated(mesh, represented, samples.positions[counts])
+        at_samples = max(at_samples, there.largest_error(values[counts]))
         if run.options.certified:
-            among = max(among, largest_error(mesh, represented, *between(samples, m, values)))
+            positions, values = between(samples, m, values)
+            found = Interpolated(mesh, represented, positions)
+            shown = numpy.isin(found.cells, there.cells) | (found.nearest(mesh, distances) == m)
+            among = max(among, found.largest_error(values, shown))
     return {"sampled field": max(at_samples, among), "sampled between": among, "magnitude": magnitude}
 
 
@@ -120,15 +140,28 @@ def surfaces(data):
     return {pair: numpy.concatenate(parts) for pair, parts in result.items()}
 
 
-def strewn(triangles, random):
-    """Points evenly over triangles."""
+def areas_of(triangles):
     edges = triangles[:, 1:] - triangles[:, :1]
-    areas = numpy.linalg.norm(numpy.cross(edges[:, 0], edges[:, 1]), axis=1)
+    return 0.5 * numpy.linalg.norm(numpy.cross(edges[:, 0], edges[:, 1]), axis=1)
+
+
+def strewn(triangles, random, count=STREWN):
+    """Points evenly over triangles."""
+    areas = areas_of(triangles)
     if areas.sum() == 0.0:
         return triangles[:, 0]
-    chosen = triangles[random.choice(len(triangles), STREWN, p=areas / areas.sum())]
-    weights = random.dirichlet((1.0, 1.0, 1.0), STREWN)
+    chosen = triangles[random.choice(len(triangles), count, p=areas / areas.sum())]
+    weights = random.dirichlet((1.0, 1.0, 1.0), count)
     return numpy.einsum("ni,nij->nj", weights, chosen)
+
+
+def strewn_over(original, represented, count):
+    """For each pair of materials, points over both surfaces between them: `count` over all surfaces of a side."""
+    random = numpy.random.default_rng(1)
+    totals = [sum(areas_of(triangles).sum() for triangles in side.values()) for side in (original, represented)]
+    for pair in original.keys() & represented.keys():
+        yield pair, *(strewn(side[pair], random, 1 + round(count * areas_of(side[pair]).sum() / total))
+                      for side, total in zip((original, represented), totals))
 
 
 def farthest(points, triangles):

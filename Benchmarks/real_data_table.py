@@ -18,19 +18,22 @@ USUAL = ("0.04:0.08", "0.02:0.04", "0.01:0.02")
 # Name in real_data_sets.DATA_SETS -> bounds as parts of the diagonal and of the field's range.
 BOUNDS = {"impact 32": ("0.02:0.04", "0.01:0.02", "0.005:0.01"), "spcth amr": USUAL, "spcth leaves": USUAL, "cth": USUAL,
           "drop": USUAL, "sloshing 2": USUAL, "sloshing 8": USUAL, "charge 0.17": USUAL, "triple point": USUAL,
-          "triple curved": USUAL, "dam break": USUAL, "dam break polyhedra": USUAL, "obstacle": USUAL,
+          "triple curved": USUAL, "obstacle": USUAL, "dam break": USUAL, "dam break polyhedra": USUAL,
           "frog": ("0.08:0.08", "0.04:0.04", "0.02:0.02"), "impact 128": USUAL, "sedov": USUAL}
+# Films of four fluids that end within the box take ever more cells, and are not shown at any of the bounds.
+CERTIFIED = {name: ("0.16:0.16", "0.08:0.08", "0.04:0.08") for name in ("dam break", "dam break polyhedra")}
 # The readers of these give no field at points, and cells of several sizes meet in them; or they have no fields.
 ONLY_IN_CELLS = ("spcth amr", "frog", "impact 128")
 ONLY_AT_POINTS = ("triple curved",)
-KINDS = ((True, False), (False, False), (True, True), (False, True))  # certified, at points
+KINDS = ((True, False), (True, True), (False, True), (False, False))  # certified, at points
 LIMIT = 1000000  # cells
 
 
 def plan():
     """What rows there are: name, certified, field at points, bounds."""
     return [(name, certified, points, bounds) for certified, points in KINDS for name in BOUNDS
-            if name not in (ONLY_IN_CELLS if points else ONLY_AT_POINTS) for bounds in BOUNDS[name]]
+            if name not in (ONLY_IN_CELLS if points else ONLY_AT_POINTS)
+            for bounds in (CERTIFIED if certified and name in CERTIFIED else BOUNDS)[name]]
 
 
 def key(name, certified, points, bounds):
@@ -79,8 +82,8 @@ def line(row):
 
 def show(rows):
     for certified, title in ((True, "certified"), (False, "at samples")):
-        print(f"\n**{title}**\n\n| data | cells in | field | in | bounds | cells out | interface claimed | found | sampled "
-              "| field claimed | found | sampled | met | CPU | memory |\n" + "|---" * 15 + "|")
+        print(f"\n**{title}**\n\n| data | cells in | field | in | bounds | cells out | interface claimed | found "
+              "| sampled | field claimed | found | sampled | met | CPU | memory |\n" + "|---" * 15 + "|")
         for name in BOUNDS:
             for row in rows.values():
                 if row["key"].startswith(f"{name}|{title}|"):
