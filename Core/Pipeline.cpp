@@ -254,7 +254,7 @@ Mesh Multiresolution::State::emitSelected(const SelectOptions& chosen, const Emi
   complete(selection.certificate.get(), hierarchy(), selection.level.achieved, progress);
   // Ids change, and regions are closed again.
   selection.level.extra.clear();
-  builder->arrange(selection.level);
+  builder->arrange(selection.level, progress);
   Mesh mesh = emitClosed(*builder, hierarchy(), selection.level, emitted, progress);
   if (selection.certificate)
   {

@@ -2,7 +2,10 @@
 
 #include "MaterialsFilterLists.h"
 
+#include "Conversion/Legend.h"
+
 #include "vtkInformation.h"
+#include "vtkStringArray.h"
 
 vtkStrataMaterialsFilter::vtkStrataMaterialsFilter() : MaterialLists(new Lists) {}
 
@@ -21,6 +24,12 @@ void vtkStrataMaterialsFilter::ClearMaterials()
 {
   this->MaterialLists->materials.clear();
   this->Modified();
+}
+
+vtkStringArray* vtkStrataMaterialsFilter::GetInputMaterials()
+{
+  strata::conversion::listInputMaterials(this, this->InputMaterials);
+  return this->InputMaterials;
 }
 
 int vtkStrataMaterialsFilter::FillInputPortInformation(int, vtkInformation* info)

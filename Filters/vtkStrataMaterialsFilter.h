@@ -6,9 +6,12 @@
 #define vtkStrataMaterialsFilter_h
 
 #include "vtkDataObjectAlgorithm.h"
+#include "vtkNew.h" // for a member
 #include "vtkStrataFiltersModule.h" // for the export macro
 
 #include <memory> // for Lists
+
+class vtkStringArray;
 
 class VTKSTRATAFILTERS_EXPORT vtkStrataMaterialsFilter : public vtkDataObjectAlgorithm
 {
@@ -21,6 +24,9 @@ public:
   void ClearMaterials();
   ///@}
 
+  /** The materials that the input is likely to have, to choose from; empty while there is no input. */
+  vtkStringArray* GetInputMaterials();
+
 protected:
   vtkStrataMaterialsFilter();
   ~vtkStrataMaterialsFilter() override;
@@ -29,6 +35,8 @@ protected:
 
   struct Lists;
   std::unique_ptr<Lists> MaterialLists;
+
+  vtkNew<vtkStringArray> InputMaterials;
 
 private:
   vtkStrataMaterialsFilter(const vtkStrataMaterialsFilter&) = delete;

@@ -6,6 +6,7 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
+#include "vtkStringArray.h"
 
 #include <sstream>
 
@@ -51,6 +52,12 @@ void vtkStrataSimulationFilter::CheckMinimumVolumeFraction() const
     message << "MinimumVolumeFraction is " << this->MinimumVolumeFraction << "; it must lie within [0, 1]";
     throw strata::InvalidInput(message.str());
   }
+}
+
+vtkStringArray* vtkStrataSimulationFilter::GetInputMaterials()
+{
+  strata::conversion::listInputMaterials(this, this->InputMaterials);
+  return this->InputMaterials;
 }
 
 int vtkStrataSimulationFilter::FillInputPortInformation(int, vtkInformation* info)

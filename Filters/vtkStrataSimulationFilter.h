@@ -10,10 +10,13 @@
 #define vtkStrataSimulationFilter_h
 
 #include "vtkDataObjectAlgorithm.h"
+#include "vtkNew.h" // for a member
 #include "vtkStrataFiltersModule.h" // for the export macro
 
 #include <memory> // for Options
 #include <string> // for members
+
+class vtkStringArray;
 
 class VTKSTRATAFILTERS_EXPORT vtkStrataSimulationFilter : public vtkDataObjectAlgorithm
 {
@@ -54,6 +57,9 @@ public:
   /** The names of the materials that the last run found, "a, b, c". */
   std::string GetMaterialNames();
 
+  /** The materials that the input is likely to have, to choose from; empty while there is no input. */
+  vtkStringArray* GetInputMaterials();
+
 protected:
   vtkStrataSimulationFilter();
   ~vtkStrataSimulationFilter() override;
@@ -69,6 +75,8 @@ protected:
 
   struct Lists;
   std::unique_ptr<Lists> ArrayLists;
+
+  vtkNew<vtkStringArray> InputMaterials;
 
 private:
   vtkStrataSimulationFilter(const vtkStrataSimulationFilter&) = delete;

@@ -1,6 +1,6 @@
 # What a standalone build can be asked for.
 option(STRATA_PARAVIEW "Build the ParaView plugin; off: the core library alone" ON)
-option(STRATA_QT "Give the plugin its icon and help pages (needs Qt 5's development files and tools)" ON)
+option(STRATA_QT "Give the plugin its icon, help pages, panel widgets and abort button (needs Qt 5's development files and tools)" ON)
 option(STRATA_PYTHON "Make the classes importable in Python: import strata" ON)
 option(STRATA_BENCHMARKS "Build the benchmarks (needs Google Benchmark)" OFF)
 option(STRATA_IMPACT_GENERATOR "Build the program that computed Data/impact (needs OpenMP)" OFF)

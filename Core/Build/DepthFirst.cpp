@@ -8,6 +8,8 @@ namespace strata
 namespace
 {
 using Range = tbb::blocked_range<std::size_t>;
+/// Cells between two looks at the progress, in loops over them.
+constexpr std::size_t checkEvery = 1 << 16;
 
 std::vector<std::int32_t> inverse(const std::vector<std::int32_t>& order)
 {
@@ -66,13 +68,17 @@ void reorderValues(Hierarchy& hierarchy)
 }
 
 /// Appends what is below a cell.
-void appendDescendants(const Hierarchy& hierarchy, CellId top, std::vector<std::int32_t>& cells)
+void appendDescendants(const Hierarchy& hierarchy, CellId top, std::vector<std::int32_t>& cells, Progress& progress)
 {
   std::array<CellId, 3 * Lattice::octaves + 2> stack;
   std::size_t waiting = 0;
   stack[waiting++] = top;
   while (waiting > 0)
   {
+    if (cells.size() % checkEvery < 2)
+    {
+      progress.check();
+    }
     const CellId child = hierarchy.cell(stack[--waiting]).firstChild;
     if (child.valid())
     {
@@ -85,7 +91,7 @@ void appendDescendants(const Hierarchy& hierarchy, CellId top, std::vector<std::
 }
 }
 
-HierarchyOrder depthFirst(const Hierarchy& hierarchy)
+HierarchyOrder depthFirst(const Hierarchy& hierarchy, Progress& progress)
 {
   HierarchyOrder order;
   order.cells.reserve(hierarchy.cells.size());
@@ -95,13 +101,17 @@ HierarchyOrder depthFirst(const Hierarchy& hierarchy)
   }
   for (Index root = 0; root < hierarchy.rootCount; ++root)
   {
-    appendDescendants(hierarchy, CellId(root), order.cells);
+    appendDescendants(hierarchy, CellId(root), order.cells, progress);
   }
   FirstUses diamonds(hierarchy.diamonds.size());
   FirstUses vertices(hierarchy.vertices.size());
-  for (const std::int32_t id : order.cells)
+  for (std::size_t i = 0; i < order.cells.size(); ++i)
   {
-    const HierarchyCell& cell = hierarchy.cell(CellId(id));
+    if (i % checkEvery == 0)
+    {
+      progress.check();
+    }
+    const HierarchyCell& cell = hierarchy.cell(CellId(order.cells[i]));
     diamonds.use(cell.diamond.value);
     for (const VertexId corner : cell.corners)
     {
@@ -113,21 +123,25 @@ HierarchyOrder depthFirst(const Hierarchy& hierarchy)
   return order;
 }
 
-void reorder(Hierarchy& hierarchy, const HierarchyOrder& order)
+void reorder(Hierarchy& hierarchy, const HierarchyOrder& order, Progress& progress)
 {
   const std::vector<std::int32_t> newCell = inverse(order.cells);
   const std::vector<std::int32_t> newDiamond = inverse(order.diamonds);
   const std::vector<std::int32_t> newVertex = inverse(order.vertices);
+  progress.check();
   reorder(hierarchy.cells, order.cells);
   reorder(hierarchy.cellMaterials, order.cells);
   reorder(hierarchy.interfaceErrors, order.cells);
   reorder(hierarchy.fieldErrors, order.cells, hierarchy.fields.size());
+  progress.check();
   reorder(hierarchy.diamonds, order.diamonds);
   hierarchy.table.renumber(newDiamond);
+  progress.check();
   reorder(hierarchy.vertices, order.vertices);
   reorder(hierarchy.vertexMaterials, order.vertices);
   reorder(hierarchy.valueOffsets, order.vertices);
   reorderValues(hierarchy);
+  progress.check();
   tbb::parallel_for(Range(0, hierarchy.cells.size(), 4096), [&](const Range& range) {
     for (std::size_t c = range.begin(); c < range.end(); ++c)
     {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Model/Hierarchy.h"
+#include "Model/Progress.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -19,11 +20,11 @@ struct HierarchyOrder
 
 /// The base mesh, then each split cell's two children followed by what is below the first and below the second;
 /// diamonds and vertices by their first cells. Levels run through memory in this order.
-HierarchyOrder depthFirst(const Hierarchy& hierarchy);
+HierarchyOrder depthFirst(const Hierarchy& hierarchy, Progress& progress);
 
 /// Brings cells, diamonds and vertices into an order, which must keep the base mesh first and children beside each
-/// other.
-void reorder(Hierarchy& hierarchy, const HierarchyOrder& order);
+/// other. The hierarchy is of no use any more if the user stops this.
+void reorder(Hierarchy& hierarchy, const HierarchyOrder& order, Progress& progress);
 
 /// Brings an array of `width` values a place into an order.
 template<typename T>

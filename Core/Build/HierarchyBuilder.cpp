@@ -388,7 +388,7 @@ void HierarchyBuilder::split(const std::vector<DiamondId>& diamonds, Progress& p
   }
 }
 
-void HierarchyBuilder::arrange(Level& level)
+void HierarchyBuilder::arrange(Level& level, Progress& progress)
 {
   assert(level.extra.empty());
   // A tenth out of order costs less than arranging all.
@@ -396,9 +396,10 @@ void HierarchyBuilder::arrange(Level& level)
   {
     return;
   }
-  const HierarchyOrder order = depthFirst(hierarchy_);
+  const HierarchyOrder order = depthFirst(hierarchy_, progress);
+  progress.check();
   reorder(elements_, order.cells);
-  reorder(hierarchy_, order);
+  reorder(hierarchy_, order, progress);
   // The hierarchy may have grown since the level was selected.
   level.active.resize(hierarchy_.diamonds.size(), 0);
   reorder(level.active, order.diamonds);

@@ -28,7 +28,7 @@ public:
 
   /// Brings the hierarchy into the order in which levels run through it, if enough of it is new: all ids change.
   /// `level` must be one of it, without extra values; its diamonds are renumbered alike.
-  void arrange(Level& level);
+  void arrange(Level& level, Progress& progress);
 
   /// A cell's native elements as rows; for a cell that is split, gathered from its descendants.
   CellRows rows(CellId cell) const;

@@ -1,15 +1,20 @@
 #include "Conversion/Legend.h"
 
 #include "Conversion/CaseData.h"
+#include "Conversion/MaterialNames.h"
 #include "Conversion/ValueConversion.h"
 
+#include <vtkAlgorithm.h>
 #include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkCompositeDataSetRange.h>
 #include <vtkDataSet.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
+#include <vtkStringArray.h>
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -19,26 +24,31 @@ namespace
 {
 constexpr int fewPairs = 10;
 
-void addLeaf(vtkDataObject* leaf, std::vector<vtkDataSet*>& result)
+/// A data object's parts, or itself where it has none; nothing for null.
+std::vector<vtkDataObject*> objectsOf(vtkDataObject* data)
 {
-  if (auto* data = vtkDataSet::SafeDownCast(leaf))
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
   {
-    result.push_back(data);
+    return data ? std::vector<vtkDataObject*>{ data } : std::vector<vtkDataObject*>{};
   }
+  std::vector<vtkDataObject*> result;
+  for (vtkDataObject* leaf : vtk::Range(composite, vtk::CompositeDataSetOptions::SkipEmptyNodes))
+  {
+    result.push_back(leaf);
+  }
+  return result;
 }
 
 std::vector<vtkDataSet*> leavesOf(vtkDataObject* data)
 {
   std::vector<vtkDataSet*> result;
-  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
-  if (!composite)
+  for (vtkDataObject* leaf : objectsOf(data))
   {
-    addLeaf(data, result);
-    return result;
-  }
-  for (vtkDataObject* leaf : vtk::Range(composite, vtk::CompositeDataSetOptions::SkipEmptyNodes))
-  {
-    addLeaf(leaf, result);
+    if (auto* dataSet = vtkDataSet::SafeDownCast(leaf))
+    {
+      result.push_back(dataSet);
+    }
   }
   return result;
 }
@@ -63,6 +73,32 @@ bool valuesIn(const std::vector<vtkDataSet*>& leaves, const char* name, std::set
     }
   }
   return found;
+}
+
+std::vector<std::string> materialsToChoose(vtkDataObject* input)
+{
+  std::vector<std::string> result = stringsOf(input ? input->GetFieldData() : nullptr, names::materials);
+  if (!result.empty())
+  {
+    return result;
+  }
+  for (vtkDataObject* leaf : objectsOf(input))
+  {
+    for (const int association : { vtkDataObject::CELL, vtkDataObject::POINT })
+    {
+      vtkDataSetAttributes* arrays = leaf->GetAttributes(association);
+      for (int i = 0; arrays && i < arrays->GetNumberOfArrays(); ++i)
+      {
+        const char* name = arrays->GetArrayName(i);
+        const auto material = materialOfFractions(name ? name : "");
+        if (material && std::find(result.begin(), result.end(), *material) == result.end())
+        {
+          result.push_back(*material);
+        }
+      }
+    }
+  }
+  return result;
 }
 
 std::string pairsLegend(const Materials& materials, const std::set<int>& present)
@@ -115,5 +151,15 @@ std::string materialNamesOf(vtkDataObject* output)
     result += (result.empty() ? "" : ", ") + name;
   }
   return result;
+}
+
+void listInputMaterials(vtkAlgorithm* filter, vtkStringArray* names)
+{
+  vtkDataObject* input = filter->GetNumberOfInputConnections(0) > 0 ? filter->GetInputDataObject(0, 0) : nullptr;
+  names->Initialize();
+  for (const std::string& name : materialsToChoose(input))
+  {
+    names->InsertNextValue(name);
+  }
 }
 }

@@ -2,7 +2,9 @@
 
 #include <string>
 
+class vtkAlgorithm;
 class vtkDataObject;
+class vtkStringArray;
 
 namespace strata::conversion
 {
@@ -21,4 +23,8 @@ std::string legendOf(vtkDataObject* output);
 
 /// The names of an output's materials, "a, b, c"; "" if it has none.
 std::string materialNamesOf(vtkDataObject* output);
+
+/// Lists the materials that a filter's first input is likely to have, for the user to choose from: those that it names
+/// itself (cases, representations), else those whose arrays of volume fractions are recognized. Looks at no value.
+void listInputMaterials(vtkAlgorithm* filter, vtkStringArray* names);
 }

@@ -30,17 +30,24 @@ bool isNewViewOf(vtkSMProxy* source, const vtkSMProxyManager::RegisteredProxyInf
          registered.Proxy->GetProperty("ColorArrayName");
 }
 
-void colorByCategory(vtkSMProxy* view, const Categories& categories, const char* array)
+/// False if the source has no categories yet, because it is empty.
+bool colorByCategory(vtkSMProxy* view, vtkSMProxy* source, const std::string& array)
 {
-  vtkSMPVRepresentationProxy::SetScalarColoring(view, array, vtkDataObject::CELL);
-  vtkSMProxy* colorMap = proxyOf(view, "LookupTable");
-  if (!colorMap || addCategories(colorMap, categories))
+  source->UpdatePropertyInformation();
+  const Categories categories = readCategories(vtkSMPropertyHelper(source, "Legend").GetAsString());
+  if (categories.empty())
   {
-    return;
+    return false;
   }
-  vtkSMPropertyHelper(view, "UseSeparateColorMap", true).Set(1);
-  vtkSMPVRepresentationProxy::SetScalarColoring(view, array, vtkDataObject::CELL);
-  addCategories(proxyOf(view, "LookupTable"), categories);
+  vtkSMPVRepresentationProxy::SetScalarColoring(view, array.c_str(), vtkDataObject::CELL);
+  vtkSMProxy* colorMap = proxyOf(view, "LookupTable");
+  if (colorMap && !addCategories(colorMap, categories))
+  {
+    vtkSMPropertyHelper(view, "UseSeparateColorMap", true).Set(1);
+    vtkSMPVRepresentationProxy::SetScalarColoring(view, array.c_str(), vtkDataObject::CELL);
+    addCategories(proxyOf(view, "LookupTable"), categories);
+  }
+  return true;
 }
 }
 
@@ -54,11 +61,12 @@ void vtkSMStrataCategories::PostInitializeProxy(vtkSMProxy* proxy, vtkPVXMLEleme
       {
         return;
       }
-      source->UpdatePropertyInformation();
-      const Categories categories = readCategories(vtkSMPropertyHelper(source, "Legend").GetAsString());
-      if (!categories.empty())
+      // A view of a run that was aborted waits for the next.
+      if (!colorByCategory(registered.Proxy, source, array))
       {
-        colorByCategory(registered.Proxy, categories, array.c_str());
+        ProxyObserver::watch(source, vtkCommand::UpdateDataEvent, registered.Proxy,
+          [source, array, done = false](
+            vtkSMProxy* view, void*) mutable { done = done || colorByCategory(view, source, array); });
       }
     });
 }

@@ -14,7 +14,8 @@ import time
 from pathlib import Path
 
 import gui_tour
-from gui_tour import PANEL, PLANE, Film, add_filter, apply, event, look_along_y, open_file, pause, select, set_number
+from gui_steps import (PLANE, add_filter, apply, event, limit_cells, look_along_y, open_file, pause, set_number, slide)
+from gui_tour import Film
 from test_gui import WINDOW
 
 STEPS = 6
@@ -37,14 +38,12 @@ STARTED, ENDED = 1, 2  # types of events
 
 
 def drag_bound():
-    slider = f"{PANEL}/InterfaceErrorBound/DoubleRangeWidget/Slider"
-    return "".join(event(slider, "set_int", str(50 - 4 * step)) + apply() for step in range(STEPS))
+    return "".join(slide("InterfaceErrorBound", 240 - 10 * step) + apply() for step in range(STEPS))
 
 
 def drag_budget():
-    limit = event(f"{PANEL}/LimitCells/CheckBox", "set_boolean", "true")
-    line = f"{PANEL}/MaximumNumberOfCells/IntRangeWidget/LineEdit"
-    return limit + "".join(event(line, "set_string", str(10000 * (step + 1))) + apply() for step in range(STEPS))
+    return limit_cells(True) + "".join(
+        set_number("MaximumNumberOfCells", 10000 * (step + 1)) + apply() for step in range(STEPS))
 
 
 def drag_plane(first, last):

@@ -1,9 +1,10 @@
-"""A tour of the plugin in a real ParaView window: gui_tour.py PARAVIEW DATA PICTURES
+"""A tour of the plugin in a real ParaView window: gui_tour.py PARAVIEW DATA PICTURES [TOUR...]
 
-DATA holds the further data sets (cth, openfoam). Filters are applied from the menu, bounds and budget are changed, the
-plane is turned, a state is saved and loaded. Each time the window comes to rest, its picture goes
-into the folder PICTURES, to be looked at. Run it under scripts/with-display, with the plugin installed, or with
-STRATA_PLUGIN naming its library. xdotool presses the button that events can't.
+DATA holds the further data sets (cth, spcth, openfoam), which ParaView's own readers open. Each filter is applied from
+the menu; sliders are moved, regions and materials chosen, a plane is dragged with the mouse, a long run is aborted with
+the window's button, an error table is shown, a state is saved and loaded. Each time the window comes to rest, its picture
+goes into the folder PICTURES, to be looked at. Run it under scripts/with-display, with the plugin installed, or with
+STRATA_PLUGIN naming its library. xdotool is the hand that moves the mouse.
 """
 import os
 import subprocess
@@ -11,85 +12,84 @@ import sys
 import tempfile
 import time
 from pathlib import Path
-from xml.sax.saxutils import quoteattr
 
+import gui_steps as steps
 from test_gui import WINDOW, screen, write_png
 
-MAIN = "pqClientMainWindow"
-PANEL = (f"{MAIN}/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/"
-         "PropertiesFrame/ProxyPanel")
-PLANE = f"{PANEL}/SliceType/ProxySelectionWidget/frame/ChosenProxyWidget/InteractivePlane"
 REST = 1.5  # seconds without a change
-PATIENCE = 300  # seconds for a tour
-# What no event can do: the default button of a dialog that asks while a state is loaded. Pressed once, when the
-# window has rested.
-BY_HAND = {"reloaded": ("key", "Return")}
+PATIENCE = 400  # seconds for a tour
+STATUS_BAR = 25  # rows at the window's lower end
+VIEW_CENTER = (0.6165, 0.582)  # of the render view, as parts of the window
 
 
-def event(widget, command, arguments=""):
-    return f"  <pqevent object={quoteattr(widget)} command={quoteattr(command)} arguments={quoteattr(arguments)} />\n"
+def hand(*actions):
+    subprocess.run(["xdotool", *map(str, actions)], check=True)
 
 
-def pause(seconds=4.0):
-    return event(MAIN, "pause", str(int(1000 * seconds)))
+def close_dialog(film):
+    """The default button of the dialog that asks while a state is loaded."""
+    if film.rested() < 6.0 or film.count == 0:
+        return False
+    hand("key", "Return")
+    return True
 
 
-def apply():
-    return event(f"{MAIN}/propertiesDock/propertiesPanel/Accept", "activate") + pause()
+def drag_plane(film):
+    """Takes the red plane by its origin, in the middle of the view, and moves it up."""
+    if film.rested() < 6.0 or not is_red(film.last[:-STATUS_BAR]).sum() > 300:
+        return False
+    x, y = (int(part * length) for part, length in zip(VIEW_CENTER, WINDOW))
+    hand("mousemove", x, y, "mousedown", 1)
+    for step in range(12):
+        hand("mousemove", x, y - 7 * step)
+        time.sleep(0.1)
+    hand("mouseup", 1)
+    return True
 
 
-def open_file(path):
-    return (event(f"{MAIN}/menubar/menu_File", "activate", "actionFileOpen")
-            + event(f"{MAIN}/FileOpenDialog", "filesSelected", str(path)) + pause(1.0))
+def is_red(picture):
+    return (picture[..., 0] > 150) & (picture[..., 1:].max(axis=2) < 90)
 
 
-def add_filter(name):
-    return event(f"{MAIN}/menubar/menuFilters/Strata", "activate", name) + pause(2.5)
+def abort_button(picture):
+    """Where the abort button is, if it can be pressed: the only red thing in the status bar."""
+    rows, columns = is_red(picture[-STATUS_BAR:]).nonzero()
+    if len(rows) < 10:
+        return None
+    return int(columns.mean()), len(picture) - STATUS_BAR + int(rows.mean())
 
 
-def set_number(name, value):
-    return event(f"{PANEL}/{name}/DoubleRangeWidget/DoubleLineEdit", "set_string", str(value))
+def press_abort(film):
+    """Waits until the button can be pressed, presses it, and tells how long the run went on."""
+    place = abort_button(film.last) if film.last is not None else None
+    if place is None:
+        film.busy = time.monotonic()
+        return False
+    if time.monotonic() - film.busy < 4.0:  # well into the run
+        return False
+    film.save()
+    hand("mousemove", *place, "click", 1)
+    pressed = time.monotonic()
+    while abort_button(screen()) is not None and time.monotonic() - pressed < 60.0:
+        time.sleep(0.02)
+    print(f"the run went on for {time.monotonic() - pressed:.2f} s after the button was pressed")
+    return True
 
 
-def select(*path):
-    """Makes a source of the pipeline browser active, by its place in the tree."""
-    return event(f"{MAIN}/pipelineBrowserDock/pipelineBrowser", "currentChanged", "/".join(map(str, path)) + "|0")
-
-
-def look_along_y():
-    return event(f"{MAIN}/cameraToolbar/actionPositiveY", "activate") + pause(1.0)
-
-
-def companions(representation):
-    """Every filter that takes a representation alone; the last, a slice, stays."""
-    steps = ""
-    for name in ("MaterialContour", "ExtractMaterials", "RepresentedInterfaces"):
-        steps += select(*representation) + add_filter(name) + apply()
-        steps += event(f"{MAIN}/propertiesDock/propertiesPanel/Delete", "activate")
-    return steps + select(*representation) + add_filter("MaterialSlice") + apply()
-
-
-def cth(data, state):
-    """The armor plate: bounds by line and by slider, a budget, a plane that is moved, a state."""
-    budget = event(f"{PANEL}/LimitCells/CheckBox", "set_boolean", "true") + event(
-        f"{PANEL}/MaximumNumberOfCells/IntRangeWidget/LineEdit", "set_string", "20000")
+def tours(data, folder):
+    """Name -> events, and what the hand does when it is time: called until it returns true."""
+    cth, state = data / "cth/cth.vtr", folder / "cth.pvsm"
     return {
-        "cth": open_file(data / "cth/cth.vtr") + apply() + add_filter("MaterialInterfaces") + apply()
-        + event(f"{MAIN}/propertiesDock/propertiesPanel/Delete", "activate") + select(0, 0) + add_filter("MultiresolutionTetrahedra") + set_number("InterfaceErrorBound", 0.5) + apply()
-        + event(f"{PANEL}/InterfaceErrorBound/DoubleRangeWidget/Slider", "set_int", "40") + budget + apply()
-        + companions((0, 0, 0))
-        + event(f"{PLANE}/useYNormal", "activate") + pause(1.5) + apply() + look_along_y()
-        + event(f"{MAIN}/menubar/menu_File", "activate", "actionFileSaveServerState")
-        + event(f"{MAIN}/FileSaveServerStateDialog", "filesSelected", str(state)) + pause(2.0),
-        "reloaded": event(f"{MAIN}/menubar/menu_File", "activate", "actionFileLoadServerState")
-        + event(f"{MAIN}/FileLoadServerStateDialog", "filesSelected", str(state)) + pause(2.0)
-        + 10 * pause(3.0),
+        "cth": (steps.all_filters(cth, 0.5), None),
+        "amr": (steps.all_filters(data / "spcth/spcth_t4.vth", 0.2), None),
+        "openfoam": (steps.all_filters(data / "openfoam/damBreakWithObstacle_t0.30.vtu", 0.02), None),
+        "errors": (steps.error_table(cth, 0.5), None),
+        "sliders": (steps.sliders(cth, 0.5), None),
+        "plane": (steps.sliced(cth, 0.5), drag_plane),
+        "abort": (steps.long_run(cth), press_abort),
+        "saved": (steps.saved(cth, 0.5, state), None),
+        "loaded": (steps.loaded(state), close_dialog),
     }
-
-
-def dam_break(data):
-    return {"openfoam": open_file(data) + apply() + add_filter("MultiresolutionTetrahedra") + apply()
-            + companions((0, 0, 0))}
 
 
 class Film:
@@ -100,17 +100,22 @@ class Film:
         self.last, self.saved, self.since = None, None, time.monotonic()
 
     def look(self):
-        """Takes a picture; returns how long the window has not changed."""
+        """Takes a picture, and keeps it if the window rests and has changed since the last one kept."""
         picture = screen()
-        now = time.monotonic()
         if self.last is None or (picture != self.last).any():
-            self.last, self.since = picture, now
-        elif now - self.since > REST and (picture.max(axis=2) > 0).mean() > 0.5:
+            self.last, self.since = picture, time.monotonic()
+        elif self.rested() > REST and (picture.max(axis=2) > 0).mean() > 0.5:
             if self.saved is None or (picture != self.saved).any(axis=2).mean() > 2e-4:
-                self.count += 1
-                write_png(picture, str(self.folder / f"{self.name}-{self.count:02d}.png"))
-                self.saved = picture
-        return now - self.since
+                self.save()
+
+    def rested(self):
+        """For how many seconds the window has not changed."""
+        return time.monotonic() - self.since
+
+    def save(self):
+        self.count += 1
+        write_png(self.last, str(self.folder / f"{self.name}-{self.count:02d}.png"))
+        self.saved = self.last
 
 
 def start(paraview, script):
@@ -120,33 +125,32 @@ def start(paraview, script):
     return subprocess.Popen(command + [f"--test-script={script}", "--exit"])
 
 
-def play(paraview, name, events, folder):
-    """Plays events in a window of their own; presses the button that cancels in the tour that asks for it."""
+def play(paraview, name, events, act, folder):
+    """Plays events in a window of their own, the hand acting once; false if ParaView fails."""
     with tempfile.NamedTemporaryFile("w", suffix=".xml", delete=False) as file:
         file.write(f'<?xml version="1.0" ?>\n<pqevents>\n{events}</pqevents>\n')
     process = start(paraview, file.name)
-    film, pressed, end = Film(folder, name), name not in BY_HAND, time.monotonic() + PATIENCE
+    film, done, end = Film(folder, name), act is None, time.monotonic() + PATIENCE
     while process.poll() is None:
-        rested = film.look()
-        if not pressed and film.count > 0 and rested > 6.0:
-            subprocess.run(["xdotool", *BY_HAND[name]], check=True)
-            pressed = True
+        film.look()
+        done = done or act(film)
         if time.monotonic() > end:
             print(f"ERROR: the tour {name} doesn't end")
             process.kill()
         time.sleep(0.25)
     os.unlink(file.name)
+    if not done:
+        print(f"ERROR: in the tour {name} there was nothing for the hand to do")
     print(f"{name}: {film.count} pictures, ParaView ended with {process.returncode}")
-    return process.returncode
+    return done and process.returncode == 0
 
 
-def main(paraview, data, folder):
-    data, folder = Path(data), Path(folder)
+def main(paraview, data, folder, *chosen):
+    folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    tours = {**cth(data, folder / "cth.pvsm"),
-             **dam_break(sorted(data.glob("openfoam/damBreak4phase_*.vtu"))[-1])}
-    chosen = os.environ.get("STRATA_TOURS", " ".join(tours)).split()
-    return max(play(paraview, name, tours[name], folder) for name in chosen)
+    known = tours(Path(data), folder)
+    results = [play(paraview, name, *known[name], folder) for name in chosen or known]
+    return 0 if all(results) else 1
 
 
 if __name__ == "__main__":
