@@ -60,6 +60,7 @@ def show_lines(source, view, color, width, opacity, distance):
 
 
 def show_density(source, view):
+    """Without light, so that equal densities have equal colours; returns the display and its colours."""
     display = simple.Show(source, view)
     display.Representation = "Surface"
     simple.ColorBy(display, ("POINTS", "density"))
@@ -69,7 +70,7 @@ def show_density(source, view):
     colors.ColorSpace = "RGB"
     colors.RGBPoints = DENSITY_COLORS
     colors.NumberOfTableValues = 1024
-    show_legend(colors, view, "density, g/cm\u00b3", [0.88, 0.30], 0.4)
+    return display, colors
 
 
 def show_legend(colors, view, title, position, length):
@@ -102,7 +103,8 @@ def draw_slice(tetrahedra, interfaces, name):
     section = simple.MaterialSlice(Input=tetrahedra)
     section.SliceType.Origin = [0.0, 0.0, 0.0]
     section.SliceType.Normal = [0.0, 1.0, 0.0]
-    show_density(section, view)
+    _, colors = show_density(section, view)
+    show_legend(colors, view, "density, g/cm\u00b3", [0.88, 0.30], 0.4)
     show_mesh_and_interfaces(tetrahedra, interfaces, view)
     look_at_section(view)
     save(view, name)
@@ -114,7 +116,8 @@ def draw_mixed(tetrahedra, interfaces, case, name):
     grid = simple.ExtractBlock(Input=case, Selectors=["/Root/grid"])
     smooth = simple.CellDatatoPointData(Input=grid)
     sampled = simple.ResampleWithDataset(SourceDataArrays=smooth, DestinationMesh=tetrahedra)
-    show_density(cut(sampled), view)
+    _, colors = show_density(cut(sampled), view)
+    show_legend(colors, view, "density, g/cm\u00b3", [0.88, 0.30], 0.4)
     show_mesh_and_interfaces(tetrahedra, interfaces, view)
     look_at_section(view)
     save(view, name)

@@ -117,21 +117,39 @@ def replay(script, result):
     Path(result).write_text(json.dumps(outputs()))
 
 
+def companions(representation, case):
+    """Every filter that takes a representation."""
+    section = simple.MaterialSlice(Input=representation)
+    section.SliceType.Origin = [6.0, 0.01, -5.0]
+    section.SliceType.Normal = [0.3, 1.0, 0.1]
+    return {
+        "slice": section,
+        "contour": simple.MaterialContour(Input=representation, ContourBy=["POINTS", "density"], Isosurfaces=[9.0]),
+        "pieces": simple.ExtractMaterials(Input=representation),
+        "surfaces": simple.RepresentedInterfaces(Input=representation),
+        "samples": simple.SampleRepresentation(Input=representation, Points=section),
+        "errors": simple.RepresentationError(Input=representation, Original=case),
+    }
+
+
 def check_saved():
-    """A saved representation slices as the one in memory."""
+    """Filters make of a saved representation what they make of the one in memory."""
     name = str(FOLDER / "tetrahedra.vtu")
-    tetrahedra = simple.FindSource("tetrahedra")
+    tetrahedra, case = simple.FindSource("tetrahedra"), simple.FindSource("case")
     simple.SaveData(name, proxy=tetrahedra, DataMode="Binary")
-    slices = []
+    found = []
     for source in (tetrahedra, simple.XMLUnstructuredGridReader(FileName=[name])):
-        section = simple.MaterialSlice(Input=source)
-        section.SliceType.Origin = [6.0, 0.01, -5.0]
-        section.SliceType.Normal = [0.3, 1.0, 0.1]
-        section.UpdatePipeline(TIME)
-        slices.append(summary(section.GetClientSideObject().GetOutputDataObject(0)))
-    if slices[0] != slices[1] or slices[0][0][1] == 0:
-        raise AssertionError(f"saved: the slices differ: {slices}")
-    print("saved: the slices are the same")
+        results = {}
+        for filter_name, proxy in companions(source, case).items():
+            proxy.UpdatePipeline(TIME)
+            results[filter_name] = summary(proxy.GetClientSideObject().GetOutputDataObject(0))
+        found.append(results)
+    for filter_name, wanted in found[0].items():
+        if not wanted or found[1][filter_name] != wanted:
+            raise AssertionError(f"saved: {filter_name} differs: {found[1][filter_name]}\ninstead of {wanted}")
+    if found[0]["slice"][0][1] == 0:
+        raise AssertionError("saved: the slice is empty")
+    print(f"saved: {len(found[0])} outputs are the same")
 
 
 def main():

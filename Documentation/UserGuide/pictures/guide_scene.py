@@ -10,6 +10,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[2] / "Examples"))
 os.environ.setdefault("STRATA_OUTPUT", str(HERE.parent))
 
+import demo_pictures
 import numpy
 from paraview import simple
 from strata_example import data, output
@@ -19,10 +20,6 @@ from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 QUICK = os.environ.get("STRATA_GUIDE_QUICK") == "1"
 BLACK = [0.0, 0.0, 0.0]
-# Density in g/cm^3 and colour: block (8.9) in blues, projectile (16.7) in oranges; what no material has in others.
-DENSITY_COLORS = [0.0, 1.00, 1.00, 1.00, 1.5, 0.98, 0.92, 0.70, 5.0, 0.74, 0.85, 0.55, 7.0, 0.55, 0.80, 0.74,
-                  8.2, 0.52, 0.74, 0.90, 8.9, 0.35, 0.60, 0.83, 10.0, 0.14, 0.40, 0.66, 12.0, 0.12, 0.20, 0.42,
-                  14.0, 0.55, 0.16, 0.38, 16.0, 0.90, 0.42, 0.18, 19.0, 0.99, 0.86, 0.40]
 MATERIAL_COLORS = [0.90, 0.42, 0.18, 0.35, 0.60, 0.83, 0.93, 0.93, 0.93, 0.45, 0.70, 0.45]
 CRATER = dict(position=[22.0, -30.0, 17.0], focus=[5.0, 5.0, -5.0], up=[0.0, 0.0, 1.0])
 
@@ -79,15 +76,7 @@ def cut(source, y=1e-5):
 
 
 def show_density(source, view, bar=True):
-    display = simple.Show(source, view)
-    display.Representation = "Surface"
-    simple.ColorBy(display, ("POINTS", "density"))
-    display.Ambient, display.Diffuse = 1.0, 0.0
-    display.InterpolateScalarsBeforeMapping = 1
-    colors = simple.GetColorTransferFunction("density")
-    colors.ColorSpace = "RGB"
-    colors.RGBPoints = DENSITY_COLORS
-    colors.NumberOfTableValues = 1024
+    display, colors = demo_pictures.show_density(source, view)
     if bar:
         legend(colors, view, "density, g/cm\u00b3", "%.0f")
     else:
