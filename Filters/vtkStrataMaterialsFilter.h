@@ -6,7 +6,7 @@
 #define vtkStrataMaterialsFilter_h
 
 #include "vtkDataObjectAlgorithm.h"
-#include "vtkNew.h" // for a member
+#include "vtkNew.h"                 // for a member
 #include "vtkStrataFiltersModule.h" // for the export macro
 
 #include <memory> // for Lists

@@ -10,7 +10,7 @@
 #define vtkStrataSimulationFilter_h
 
 #include "vtkDataObjectAlgorithm.h"
-#include "vtkNew.h" // for a member
+#include "vtkNew.h"                 // for a member
 #include "vtkStrataFiltersModule.h" // for the export macro
 
 #include <memory> // for Options
