@@ -37,12 +37,13 @@ int vtkStrataMaterialInterfaces::RequestData(
     conversion::warn(this, read.warnings);
     strata::ExtractOptions extraction;
     extraction.volumeCorrection = this->VolumeCorrection;
+    extraction.gatherSmearedFractions = this->GatherSmearedFractions;
     extraction.minimumVolumeFraction = this->MinimumVolumeFraction;
     progress.stage("Finding the interfaces", 0.0, 1.0);
     const strata::ExtractedInterfaces found = strata::extractInterfaces(read.simulation, extraction, progress);
     conversion::warn(this, found.warnings);
     conversion::writeInterfaces(found.interfaces, read.simulation.materials, output);
-    conversion::writeVolumes(found.volumes, output->GetFieldData());
+    conversion::writeVolumes(found, output->GetFieldData());
     if (this->VolumeErrors)
     {
       conversion::writeGridErrors(input.grid, read, found.cellVolumeErrors, output);
@@ -55,6 +56,7 @@ void vtkStrataMaterialInterfaces::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "VolumeCorrection: " << this->VolumeCorrection << "\n";
+  os << indent << "GatherSmearedFractions: " << this->GatherSmearedFractions << "\n";
   os << indent << "VolumeErrors: " << this->VolumeErrors << "\n";
 }
 

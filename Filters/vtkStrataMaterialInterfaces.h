@@ -28,6 +28,14 @@ public:
   ///@}
 
   ///@{
+  /** Where a solver smears fractions over several cells across an interface, let the volume in these cells together
+   * place the interface (on, default), not each cell for itself. */
+  vtkSetMacro(GatherSmearedFractions, bool);
+  vtkGetMacro(GatherSmearedFractions, bool);
+  vtkBooleanMacro(GatherSmearedFractions, bool);
+  ///@}
+
+  ///@{
   /** Add the input as a block `grid`, with the volume error of each material as cell arrays `volume_error_<m>`. */
   vtkSetMacro(VolumeErrors, bool);
   vtkGetMacro(VolumeErrors, bool);
@@ -45,6 +53,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   bool VolumeCorrection = true;
+  bool GatherSmearedFractions = true;
   bool VolumeErrors = false;
 
 private:

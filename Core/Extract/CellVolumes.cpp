@@ -19,7 +19,7 @@ CellVolumes::CellVolumes(
   complex_(region.complex),
   around_(region.around), values_(values), fractions_(region.fractions), minimumFraction_(minimumFraction),
   progress_(progress), winners_(static_cast<std::size_t>(complex_.vertexCount())), reach_(winners_.size()),
-  cells_(complex_.cells.size()), workspaces_([this] {
+  cells_(complex_.cells.size()), replaced_(complex_.cells.size(), 0), workspaces_([this] {
     return Workspace{ CellCutter(complex_, values_, winners_), {} };
   })
 {}
@@ -47,6 +47,12 @@ void CellVolumes::update(const std::vector<std::uint8_t>& changed)
     }
   });
   forEach(complex_.cellCount(), progress_, [this](std::int32_t cell) { findTargets(cell); });
+}
+
+void CellVolumes::replaceTargets(std::int32_t cell, std::vector<Share> targets)
+{
+  cells_[cell].targets = std::move(targets);
+  replaced_[cell] = 1;
 }
 
 void CellVolumes::measure(std::int32_t cell)
@@ -80,7 +86,7 @@ void CellVolumes::findTargets(std::int32_t cell)
   CellVolume& state = cells_[cell];
   Bits reached = 0;
   around_.forEachVertex(complex_, cell, [&](std::int32_t v) { reached |= reach_[v]; });
-  if (reached == state.reached)
+  if (replaced_[cell] || reached == state.reached)
   {
     return;
   }

@@ -31,6 +31,10 @@ public:
   /// a cell, and no region around it, is not asked for: its target goes to the cell's other materials.
   void update(const std::vector<std::uint8_t>& changed);
 
+  /// Sets what the materials of a cell are to have from now on, in place of its fractions; the sum is the cell's
+  /// volume.
+  void replaceTargets(std::int32_t cell, std::vector<Share> targets);
+
   const CellVolume& operator[](std::int32_t cell) const { return cells_[cell]; }
   std::uint8_t winner(std::int32_t vertex) const { return winners_[vertex]; }
   const std::vector<std::uint8_t>& winners() const { return winners_; }
@@ -48,6 +52,7 @@ private:
   std::vector<std::uint8_t> winners_;
   std::vector<std::uint64_t> reach_; ///< by vertex: materials that have a region in a cell around
   std::vector<CellVolume> cells_;
+  std::vector<std::uint8_t> replaced_; ///< by cell: its targets were replaced
   struct Workspace
   {
     CellCutter cutter;

@@ -4,6 +4,7 @@
 #include "Extract/CellVolumes.h"
 #include "Extract/ForEach.h"
 #include "Extract/SettleCells.h"
+#include "Extract/SmearedFractions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,9 +28,11 @@ constexpr double largestShift = 4.0;
 constexpr double relaxation = 1.2;
 /// Totals are balanced until no material lacks more than this part of all volume, or so many times.
 constexpr double totalTolerance = 1e-10;
-constexpr int maximumBalances = 6;
+constexpr int maximumBalances = 12;
 /// Largest change of a value, as a part of the cell's size, that makes up for fractions too small for a region.
 constexpr double largestMakeUp = 2e-4;
+/// The same where fractions are smeared: there no single cell is to be right.
+constexpr double largestSmearedMakeUp = 0.1;
 /// Added to a cell's error to weigh its step among those of its neighbours.
 constexpr double leastWeight = 3e-4;
 
@@ -42,9 +45,20 @@ public:
     changed_(static_cast<std::size_t>(complex_.vertexCount()), 1), materialCount_(region.fractions.materialCount())
   {}
 
-  void run()
+  /// Returns to what degree smeared fractions were gathered.
+  double run(bool gather)
   {
     update();
+    const SmearedFractions smeared(region_, volumes_, progress_);
+    const double degree = gather ? smeared.degree() : 0.0;
+    if (degree > 0.0)
+    {
+      smeared.clearOffInterface(values_, progress_);
+      start_ = values_.values;
+      std::fill(changed_.begin(), changed_.end(), std::uint8_t{ 1 });
+      update();
+      gatherSmeared(smeared);
+    }
     for (int sweep = 0; sweep < maximumSweeps && largestError() >= cellTolerance; ++sweep)
     {
       progress_.update(static_cast<double>(sweep) / maximumSweeps);
@@ -54,10 +68,26 @@ public:
     balanceTotals(Eigen::VectorXd::Zero(materialCount_));
     settleCells(complex_, volumes_, volumes_.winners(), values_, changed_, progress_);
     update();
-    balanceTotals(affordable(droppedVolumes(volumes_, region_, progress_)));
+    const double limit = largestMakeUp + degree * (largestSmearedMakeUp - largestMakeUp);
+    balanceTotals(affordable(droppedVolumes(volumes_, region_, progress_), limit));
+    return degree;
   }
 
 private:
+  /// Lets cells ask for volumes that move the interface as a whole.
+  void gatherSmeared(const SmearedFractions& smeared)
+  {
+    std::vector<std::vector<Share>> targets = smeared.targets(progress_);
+    for (std::int32_t c = 0; c < complex_.cellCount(); ++c)
+    {
+      if (!targets[c].empty())
+      {
+        volumes_.replaceTargets(c, std::move(targets[c]));
+      }
+    }
+    forEach(complex_.cellCount(), progress_, [this](std::int32_t c) { findRequest(c); });
+  }
+
   /// What a cell asks for.
   struct Request
   {
@@ -188,8 +218,8 @@ private:
     return largest;
   }
 
-  /// What was dropped, if small changes of the values can make up for it, else nothing.
-  Eigen::VectorXd affordable(const Eigen::VectorXd& dropped) const
+  /// What was dropped, if changes of the values up to `most` of a cell's size can make up for it, else nothing.
+  Eigen::VectorXd affordable(const Eigen::VectorXd& dropped, double most) const
   {
     const Eigen::VectorXd steps = rises(volumes_, complex_.cellCount(), dropped);
     double smallest = std::numeric_limits<double>::infinity();
@@ -197,7 +227,7 @@ private:
     {
       smallest = std::min(smallest, volumes_[c].total);
     }
-    const double limit = largestMakeUp * std::cbrt(smallest);
+    const double limit = most * std::cbrt(smallest);
     const double largest = steps.size() > 0 ? steps.maxCoeff() - steps.minCoeff() : 0.0;
     return largest > limit ? Eigen::VectorXd::Zero(dropped.size()) : dropped;
   }
@@ -246,8 +276,9 @@ private:
 };
 }
 
-void correctVolumes(const MixedRegion& region, double minimumFraction, MaterialValues& values, Progress& progress)
+double correctVolumes(
+  const MixedRegion& region, const ExtractOptions& options, MaterialValues& values, Progress& progress)
 {
-  VolumeCorrection(region, minimumFraction, values, progress).run();
+  return VolumeCorrection(region, options.minimumVolumeFraction, values, progress).run(options.gatherSmearedFractions);
 }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Extract/Extract.h"
 #include "Extract/MixedRegion.h"
 
 namespace strata
@@ -8,7 +9,9 @@ namespace strata
 ///
 /// Sweeps over all cells: the steps that a Newton iteration on the exact volumes asks for in each cell, averaged at
 /// the vertices over the cells that ask. A material without a region in a cell is raised until it has one, if its
-/// fraction is at least `minimumFraction` or it has a region in a cell around. What is then still wrong in a cell, the
+/// fraction is at least the minimum or it has a region in a cell around. What is then still wrong in a cell, the
 /// values at its centre make right, which no other cell knows of. Values at outer vertices stay.
-void correctVolumes(const MixedRegion& region, double minimumFraction, MaterialValues& values, Progress& progress);
+/// Smeared fractions are gathered at the interface first, if `options` want it; returns to what degree they were.
+double correctVolumes(
+  const MixedRegion& region, const ExtractOptions& options, MaterialValues& values, Progress& progress);
 }

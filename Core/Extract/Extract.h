@@ -11,6 +11,8 @@ struct ExtractOptions
 {
   /// Drive each cell's reconstructed volumes to its volume fractions.
   bool volumeCorrection = true;
+  /// Where a solver smears fractions over several cells, let these cells' sums place the interface, not each cell.
+  bool gatherSmearedFractions = true;
   /// Pieces that win nowhere are kept where their fraction is at least this.
   double minimumVolumeFraction = 0.1;
 };
@@ -28,6 +30,7 @@ struct ExtractedInterfaces
 {
   Interfaces interfaces;
   std::vector<VolumeReport> volumes; ///< one per material
+  double smearing = 0.0;             ///< how much of smeared fractions was gathered at the interface, 0 to 1
   /// [material][cell]: reconstructed minus given volume. Filled for cells with several materials, 0 elsewhere.
   std::vector<std::vector<double>> cellVolumeErrors;
   Warnings warnings;

@@ -71,6 +71,7 @@ ExtractedInterfaces extractFromFractions(const Simulation& simulation, const Ext
   const GridTopology& topology, const Boundary& boundary, Progress& progress)
 {
   const Fractions fractions(simulation, topology);
+  ExtractedInterfaces result;
   const MixedRegion region(
     topology, fractions, options.minimumVolumeFraction, boundary.cellsAtOutside(progress), progress);
   MaterialValues values = makeMaterialValues(region.complex, fractions, progress);
@@ -80,10 +81,9 @@ ExtractedInterfaces extractFromFractions(const Simulation& simulation, const Ext
     keepInterfacesInside(region, values, progress);
     if (options.volumeCorrection)
     {
-      correctVolumes(region, options.minimumVolumeFraction, values, progress);
+      result.smearing = correctVolumes(region, options, values, progress);
     }
   }
-  ExtractedInterfaces result;
   const std::vector<std::uint8_t> winners = findWinners(region.complex, values);
   result.interfaces = makeSurfaces(region.complex, values, winners, boundary, progress);
   reportVolumes(region, values, winners, result, progress);

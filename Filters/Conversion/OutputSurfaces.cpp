@@ -176,7 +176,7 @@ void writeAssembly(const Materials& materials, vtkPartitionedDataSetCollection* 
   output->SetDataAssembly(assembly);
 }
 
-void writeVolumes(const std::vector<VolumeReport>& volumes, vtkFieldData* data)
+void writeVolumes(const ExtractedInterfaces& found, vtkFieldData* data)
 {
   using Member = double VolumeReport::*;
   const std::pair<const char*, Member> columns[] = { { "volume_given", &VolumeReport::given },
@@ -186,11 +186,15 @@ void writeVolumes(const std::vector<VolumeReport>& volumes, vtkFieldData* data)
   {
     vtkNew<vtkDoubleArray> column;
     column->SetName(name);
-    for (const VolumeReport& volume : volumes)
+    for (const VolumeReport& volume : found.volumes)
     {
       column->InsertNextValue(volume.*member);
     }
     data->AddArray(column);
   }
+  vtkNew<vtkDoubleArray> smearing;
+  smearing->SetName("gathered_smearing");
+  smearing->InsertNextValue(found.smearing);
+  data->AddArray(smearing);
 }
 }

@@ -23,6 +23,6 @@ void writeAssembly(const Materials& materials, vtkPartitionedDataSetCollection* 
 void labelSurface(vtkPolyData* surface, MaterialId positive, MaterialId negative, const Materials& materials);
 
 /// Field data with the volumes per material: `volume_given`, `volume_reconstructed`, `volume_error_largest`,
-/// `volume_error_mean`.
-void writeVolumes(const std::vector<VolumeReport>& volumes, vtkFieldData* data);
+/// `volume_error_mean`; `gathered_smearing`, to what degree smeared fractions were gathered at the interface.
+void writeVolumes(const ExtractedInterfaces& found, vtkFieldData* data);
 }

@@ -10,11 +10,12 @@
 
 namespace strata::test
 {
-inline ExtractedInterfaces extract(const Simulation& simulation, bool correct = true)
+inline ExtractedInterfaces extract(const Simulation& simulation, bool correct = true, bool gather = true)
 {
   Progress progress;
   ExtractOptions options;
   options.volumeCorrection = correct;
+  options.gatherSmearedFractions = gather;
   return extractInterfaces(simulation, options, progress);
 }
 

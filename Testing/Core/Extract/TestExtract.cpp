@@ -84,6 +84,45 @@ TEST(Extract, TotalsHoldThoughDustIsDropped)
   EXPECT_NEAR(result.volumes[0].reconstructed, result.volumes[0].given, 1e-8);
 }
 
+TEST(Extract, SmearedFractionsGiveASmoothSphereOfTheSameVolume)
+{
+  // A profile of about four cells across the sphere, as solvers leave it.
+  const int n = 24;
+  const Distance ball = sphere(Vector(0.53, 0.48, 0.51), 0.3);
+  const auto smeared = [&](const Box& box) {
+    const double inside = 0.5 * (1.0 - std::tanh(ball(box.center()) * n));
+    return std::vector<double>{ inside, 1.0 - inside };
+  };
+  const Simulation simulation = fractionSimulation(cubeGrid(n), 2, smeared);
+  const ExtractedInterfaces result = extract(simulation);
+  expectSound(result.interfaces, 2, Box{ Vector::Zero(), Vector::Ones() });
+  EXPECT_EQ(result.smearing, 1.0);
+  EXPECT_NEAR(result.volumes[0].reconstructed, result.volumes[0].given, 1e-6);
+  // The profile holds (1 + (pi w / 2 r)^2) times the sphere's volume, w being its width: a radius of 0.3047.
+  EXPECT_LT(meanDistance(result.interfaces, sphere(Vector(0.53, 0.48, 0.51), 0.3047)), 0.1 / n);
+  const ExtractedInterfaces each = extract(simulation, true, false);
+  EXPECT_EQ(each.smearing, 0.0);
+  EXPECT_LT(each.volumes[0].meanError, 0.1 * result.volumes[0].meanError);
+  EXPECT_GT(each.interfaces.points.size(), 2 * result.interfaces.points.size());
+}
+
+TEST(Extract, SharpFractionsAreTakenAtTheirWord)
+{
+  // A ball and, off it, a sheet that fills no cell.
+  const int n = 16;
+  const FractionsOf ball = insideOf(sphere(Vector(0.53, 0.48, 0.35), 0.25));
+  const auto fractions = [&](const Box& box) {
+    const bool sheet = box.lower[2] > 0.8 && box.lower[2] < 0.8 + 1.0 / n;
+    return sheet ? std::vector<double>{ 0.4, 0.6 } : ball(box);
+  };
+  const Simulation simulation = fractionSimulation(cubeGrid(n), 2, fractions);
+  const ExtractedInterfaces gathered = extract(simulation);
+  const ExtractedInterfaces each = extract(simulation, true, false);
+  EXPECT_EQ(gathered.smearing, 0.0);
+  EXPECT_EQ(gathered.interfaces.points, each.interfaces.points);
+  EXPECT_LT(largestCellError(gathered, 1.0 / (n * n * n)), 1e-3);
+}
+
 TEST(Extract, APlaneAlongTheGridIsExact)
 {
   const Simulation simulation = fractionSimulation(cubeGrid(5), 2, belowPlane(Vector::UnitZ(), Vector(0.0, 0.0, 0.47)));
