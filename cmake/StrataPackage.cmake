@@ -10,7 +10,8 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= 5.11), paraview (<< 5.12)")
+# Without Qt's plugin for SVG a window shows no icons, neither ours nor ParaView's own, and complains about it.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= 5.11), paraview (<< 5.12), libqt5svg5")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS python3-paraview)
 
 # One package from the components that a user needs; the static wrapper libraries stay out.

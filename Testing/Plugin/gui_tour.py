@@ -19,7 +19,7 @@ from test_gui import WINDOW, screen, write_png
 REST = 1.5  # seconds without a change
 PATIENCE = 400  # seconds for a tour
 STATUS_BAR = 25  # rows at the window's lower end
-VIEW_CENTER = (0.6165, 0.582)  # of the render view, as parts of the window
+ARROW = (0.616, 0.340)  # the upper tip of the plane's normal, as parts of the window
 
 
 def hand(*actions):
@@ -35,13 +35,13 @@ def close_dialog(film):
 
 
 def drag_plane(film):
-    """Takes the red plane by its origin, in the middle of the view, and moves it up."""
+    """Takes the red plane by the tip of its normal and turns it."""
     if film.rested() < 6.0 or not is_red(film.last[:-STATUS_BAR]).sum() > 300:
         return False
-    x, y = (int(part * length) for part, length in zip(VIEW_CENTER, WINDOW))
+    x, y = (int(part * length) for part, length in zip(ARROW, WINDOW))
     hand("mousemove", x, y, "mousedown", 1)
     for step in range(12):
-        hand("mousemove", x, y - 7 * step)
+        hand("mousemove", x + 10 * step, y)
         time.sleep(0.1)
     hand("mouseup", 1)
     return True
