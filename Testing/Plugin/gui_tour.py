@@ -19,6 +19,7 @@ from test_gui import WINDOW, screen, write_png
 REST = 1.5  # seconds without a change
 PATIENCE = 400  # seconds for a tour
 STATUS_BAR = 25  # rows at the window's lower end
+VIEW = (slice(200, -STATUS_BAR), slice(310, None))  # rows and columns of the render view
 ARROW = (0.616, 0.340)  # the upper tip of the plane's normal, as parts of the window
 
 
@@ -36,7 +37,7 @@ def close_dialog(film):
 
 def drag_plane(film):
     """Takes the red plane by the tip of its normal and turns it."""
-    if film.rested() < 6.0 or not is_red(film.last[:-STATUS_BAR]).sum() > 300:
+    if film.rested() < 6.0 or not is_red(film.last[VIEW]).sum() > 300:
         return False
     x, y = (int(part * length) for part, length in zip(ARROW, WINDOW))
     hand("mousemove", x, y, "mousedown", 1)
