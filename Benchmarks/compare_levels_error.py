@@ -3,8 +3,6 @@
 The field with a jump is 1 + 0.1 x inside a ball and 0.1 y outside, and the field without is a product of sines. No mesh can
 be right at the jump itself: the error is the largest at points farther from it than LAYER, the same for all methods.
 """
-import os
-
 import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -177,15 +175,11 @@ def print_curves(title, curves):
     print("|---" * (1 + max(map(len, curves.values()))) + "|")
     for name, curve in curves.items():
         print(f"| {name} | " + " | ".join(f"{error:.3g}: {cells}" for error, cells in curve) + " |")
-    print()
+    print(flush=True)
 
 
-def run():
-    """Prints the tables and returns the curves of the field with a jump."""
-    plugin = os.environ.get("STRATA_HYPER_TREE_PLUGIN")
-    if plugin and not hasattr(simple, "ResampleToHyperTreeGrid"):
-        simple.LoadPlugin(plugin, ns=vars(simple))
-    trees = hasattr(simple, "ResampleToHyperTreeGrid")
+def run(trees):
+    """Prints the tables and returns the curves of the field with a jump; `trees`: whether hyper tree grids are at hand."""
     image = grid(jumping)
     bounds = [(distance, ERROR) for distance in (2.0 * LAYER, LAYER, 0.7 * LAYER)]
     jump = {

@@ -1,4 +1,4 @@
-"""The picture of the levels' figures: times by size of the level, cells by true error, cost of a build by size of the input."""
+"""The pictures of the levels' figures: times by size of the level, cells by true error, cost of a build by size of the input."""
 import math
 import os
 import resource
@@ -31,10 +31,12 @@ def scale_points(program):
 
 
 def plot_times(axes, columns):
-    for measured in ("build = rebuild", "change of level", "deep copy", "Plane Cutter", "Material Slice"):
-        points = sorted((row["cells"], float(row[measured])) for _, row in columns)
+    """Wall times as parts of the build's, which stands for 1."""
+    for measured in ("change of level", "deep copy of the mesh", "Plane Cutter", "Material Slice, dragged"):
+        points = sorted((row["cells"], row[measured].wall / row["build = rebuild from scratch"].wall) for _, row in columns)
         axes.plot(*zip(*points), "o-", label=measured)
-    axes.set(xscale="log", yscale="log", xlabel="tetrahedra of the level", ylabel="milliseconds")
+    axes.axhline(0.05, linestyle="--", color="grey", label="1/20")
+    axes.set(xscale="log", yscale="log", xlabel="tetrahedra of the level", ylabel="parts of the build's time")
 
 
 def plot_errors(axes, curves):
@@ -53,22 +55,23 @@ def plot_scale(axes, points):
     axes.set(xscale="log", yscale="log", xlabel="native cells", ylabel="processor seconds")
 
 
-def plot(columns, curves, scale, path):
-    """Nothing where matplotlib is missing."""
+PLOTS = {"times": plot_times, "errors": plot_errors, "scale": plot_scale}
+
+
+def plot(name, measured, folder):
+    """Draws levels-NAME.png into a folder; not where matplotlib is missing."""
     try:
         import matplotlib
     except ImportError:
-        print("No plot: matplotlib is not installed.")
+        print(f"No plot of {name}: matplotlib is not installed.")
         return
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
-    figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(15, 4.5))
-    plot_times(left, columns)
-    plot_errors(middle, curves)
-    plot_scale(right, scale)
-    for axes in (left, middle, right):
-        if axes.lines:
-            axes.legend(fontsize=8)
+    figure, axes = pyplot.subplots(figsize=(6, 4))
+    PLOTS[name](axes, measured)
+    if axes.lines:
+        axes.legend(fontsize=8)
     figure.tight_layout()
-    figure.savefig(path, dpi=80)
+    figure.savefig(folder / f"levels-{name}.png", dpi=80)
+    pyplot.close(figure)
