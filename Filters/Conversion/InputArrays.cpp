@@ -57,19 +57,23 @@ Index totalOf(const InputGrid& input, Association association)
 template<typename Function>
 void forEachSource(const InputGrid& input, Association association, const Function& copy)
 {
-  std::size_t block = 0;
-  const auto offset = [&](std::size_t b) {
-    return association == Association::Cells ? input.blocks[b].cellOffset : input.blocks[b].pointOffset;
+  const auto offset = [&](const InputBlock& block) {
+    return association == Association::Cells ? block.cellOffset : block.pointOffset;
   };
   const std::vector<Index>& source = sources(input, association);
   const Index end = totalOf(input, association);
+  auto block = input.blocks.begin();
+  Index blockEnd = 0;
   for (std::size_t i = 0; i < source.size() && source[i] < end; ++i)
   {
-    while (block + 1 < input.blocks.size() && source[i] >= offset(block + 1))
+    if (source[i] < offset(*block) || source[i] >= blockEnd)
     {
-      ++block;
+      const auto next = std::upper_bound(input.blocks.begin(), input.blocks.end(), source[i],
+        [&](Index position, const InputBlock& other) { return position < offset(other); });
+      block = std::prev(next);
+      blockEnd = next == input.blocks.end() ? end : offset(*next);
     }
-    copy(block, source[i] - offset(block), i);
+    copy(static_cast<std::size_t>(block - input.blocks.begin()), source[i] - offset(*block), i);
   }
 }
 

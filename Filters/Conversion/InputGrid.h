@@ -45,8 +45,8 @@ struct InputGrid
 {
   Grid grid;
   std::vector<InputBlock> blocks;
-  /// One per cell (point) of `grid`, ascending: position in the concatenation of all blocks' cells (points).
-  /// Empty where the grid has exactly the cells (points) of one block.
+  /// One per cell (point) of `grid`: position in the concatenation of all blocks' cells (points); blended points
+  /// come last. Empty where the grid has exactly the cells (points) of one block, in their order.
   std::vector<Index> cellSource;
   std::vector<Index> pointSource;
   /// Points beyond the concatenation of the blocks' points: number `points of all blocks + i` in `pointSource` is

@@ -1,6 +1,7 @@
 #include "Conversion/UnstructuredBuilder.h"
 
 #include "Conversion/CheckCells.h"
+#include "Conversion/LatticeOfBoxes.h"
 #include "Conversion/Weld.h"
 
 #include "Geometry/Box.h"
@@ -314,6 +315,10 @@ InputGrid UnstructuredBuilder::finish()
   result.grid = std::move(grid_);
   dropRepeatedCells(result, volumes);
   result.hasOutside = !fillsBox(std::get<UnstructuredGrid>(result.grid), volumes);
+  if (!result.hasOutside)
+  {
+    recognizeLattice(result);
+  }
   return result;
 }
 }

@@ -93,15 +93,21 @@ def numbered(corners):
     return points, numbers.reshape(corners.shape[:-1])
 
 
-def unstructured(corners, shape, cell_type, listed=None):
-    """`listed`: the corners in the order in which VTK lists them, if it isn't that of `shape`."""
-    points, numbers = numbered(corners if listed is None else listed)
+def unstructured_of(nodes, cell_type):
+    """A grid of cells of one type, without arrays, from the places of each cell's nodes."""
+    points, numbers = numbered(nodes)
     offsets = numpy.arange(len(numbers) + 1) * numbers.shape[1]
     array = vtkCellArray()
     array.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True), numpy_to_vtkIdTypeArray(numbers.ravel(), deep=True))
     data = vtkUnstructuredGrid()
     data.SetPoints(vtk_points(points))
     data.SetCells(cell_type, array)
+    return data
+
+
+def unstructured(corners, shape, cell_type, listed=None):
+    """`listed`: the corners in the order in which VTK lists them, if it isn't that of `shape`."""
+    data = unstructured_of(corners if listed is None else listed, cell_type)
     cells = Cells(corners, shape)
     add_arrays(data, cells)
     return data, [cells]

@@ -48,6 +48,8 @@ def fractions_below(values):
 class Cells:
     """Cells of one shape: their corners (cells x corners x 3), and what the simulation knows in them."""
 
+    at_nodes = False  # where densities are given
+
     def __init__(self, corners, shape):
         self.corners = corners
         tetrahedra = corners[:, numpy.array(TETRAHEDRA[shape])]
@@ -61,16 +63,23 @@ class Cells:
         self.fractions = numpy.stack([below[0], below[1] - below[0], 1.0 - below[1]])
         self.densities = densities(self.centers)
 
+    def places(self, weights):
+        """Where the corners' weights (cells x places x corners) lead."""
+        return numpy.einsum("ckn,cnx->ckx", weights, self.corners)
+
+
+def add_values(attributes, name, values):
+    array = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
+    array.SetName(name)
+    attributes.AddArray(array)
+
 
 def add_arrays(data, cells):
     """Attaches the fractions and the densities; densities of materials that a cell lacks are 0."""
     for m, name in enumerate(NAMES):
         present = cells.fractions[m] > 0.0
-        for prefix, values in (("volume_fraction_", cells.fractions[m]),
-                               ("density_", numpy.where(present, cells.densities[m], 0.0))):
-            array = numpy_to_vtk(values, deep=True)
-            array.SetName(prefix + name)
-            data.GetCellData().AddArray(array)
+        add_values(data.GetCellData(), "volume_fraction_" + name, cells.fractions[m])
+        add_values(data.GetCellData(), "density_" + name, numpy.where(present, cells.densities[m], 0.0))
 
 
 def joined(parts):
@@ -86,6 +95,6 @@ def random_points(parts, count):
     points, volumes = [], []
     for part in parts:
         weights = random.dirichlet(numpy.full(part.corners.shape[1], 0.5), (len(part.corners), count))
-        points.append(numpy.einsum("ckn,cnx->ckx", weights, part.corners).reshape(-1, 3))
+        points.append(part.places(weights).reshape(-1, 3))
         volumes.append(numpy.repeat(part.volumes, count))
     return numpy.concatenate(points), numpy.concatenate(volumes)
