@@ -19,6 +19,7 @@ struct vtkStrataSimulationFilter::Lists
     strata::conversion::SimulationOptions result;
     result.volumeFractionArrays = volumeFractionArrays;
     result.materialIdArray = filter.MaterialIdArray;
+    result.blocksAsMaterials = filter.BlocksAsMaterials;
     result.remainderMaterial = filter.RemainderMaterial;
     result.materialsWithoutFields = materialsWithoutFields;
     result.fieldArrays = fieldArrays;

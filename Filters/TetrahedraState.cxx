@@ -67,9 +67,10 @@ std::string vtkStrataTetrahedra::Internals::keyOf(const vtkStrataTetrahedra& fil
   text << inputs.simulation << ' ' << conversion::modifiedTime(inputs.simulation) << ' ' << inputs.interfaces << ' '
        << conversion::modifiedTime(inputs.interfaces) << ' ' << conversion::listed(lists.volumeFractionArrays) << '/'
        << conversion::listed(lists.materialsWithoutFields) << '/' << conversion::listed(lists.fieldArrays) << '/'
-       << filter.MaterialIdArray << '/' << filter.RemainderMaterial << '/' << filter.MinimumVolumeFraction << ' '
-       << filter.BaseCubes[0] << ' ' << filter.BaseCubes[1] << ' ' << filter.BaseCubes[2] << ' ' << filter.MaximumLevel
-       << ' ' << filter.DistanceMethod << ' ' << filter.GhostMethod << ' ' << filter.NativeElements;
+       << filter.MaterialIdArray << '/' << filter.BlocksAsMaterials << '/' << filter.RemainderMaterial << '/'
+       << filter.MinimumVolumeFraction << ' ' << filter.BaseCubes[0] << ' ' << filter.BaseCubes[1] << ' '
+       << filter.BaseCubes[2] << ' ' << filter.MaximumLevel << ' ' << filter.DistanceMethod << ' ' << filter.GhostMethod
+       << ' ' << filter.NativeElements;
   return text.str();
 }
 

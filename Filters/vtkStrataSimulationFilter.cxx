@@ -72,6 +72,7 @@ void vtkStrataSimulationFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaterialIdArray: " << this->MaterialIdArray << "\n";
+  os << indent << "BlocksAsMaterials: " << this->BlocksAsMaterials << "\n";
   os << indent << "RemainderMaterial: " << this->RemainderMaterial << "\n";
   os << indent << "MinimumVolumeFraction: " << this->MinimumVolumeFraction << "\n";
 }

@@ -37,6 +37,13 @@ public:
   ///@}
 
   ///@{
+  /** Each block of a collection is a material, called like the block, whatever the arrays say. */
+  vtkSetMacro(BlocksAsMaterials, bool);
+  vtkGetMacro(BlocksAsMaterials, bool);
+  vtkBooleanMacro(BlocksAsMaterials, bool);
+  ///@}
+
+  ///@{
   /** Name of the material that takes what the volume fractions leave. */
   vtkSetMacro(RemainderMaterial, std::string);
   vtkGetMacro(RemainderMaterial, std::string);
@@ -70,6 +77,7 @@ protected:
   void CheckMinimumVolumeFraction() const;
 
   std::string MaterialIdArray;
+  bool BlocksAsMaterials = false;
   std::string RemainderMaterial = "empty";
   double MinimumVolumeFraction = 0.1;
 

@@ -207,6 +207,13 @@ std::vector<std::int64_t> integers(const InputGrid& input, const std::string& ce
   return result;
 }
 
+std::vector<std::size_t> blocksOfCells(const InputGrid& input)
+{
+  std::vector<std::size_t> result(static_cast<std::size_t>(cellCount(input.grid)), 0);
+  forEachSource(input, Association::Cells, [&](std::size_t block, Index, std::size_t to) { result[to] = block; });
+  return result;
+}
+
 std::string activeScalars(const InputGrid& input)
 {
   for (const Association association : { Association::Cells, Association::Points })

@@ -48,6 +48,9 @@ ValueArray values(const InputGrid& input, Association association, const std::st
 /// The same for integers (one component).
 std::vector<std::int64_t> integers(const InputGrid& input, const std::string& cellArray);
 
+/// The number of the block that each cell of the grid is in.
+std::vector<std::size_t> blocksOfCells(const InputGrid& input);
+
 /// The name of the active scalars of the first block that has any, in cells or else in points; "" if none has.
 std::string activeScalars(const InputGrid& input);
 }

@@ -1,5 +1,6 @@
 #include "Conversion/InputGrid.h"
 
+#include "Conversion/BlockNames.h"
 #include "Conversion/HyperTreeGrids.h"
 #include "Conversion/StructuredGrids.h"
 #include "Conversion/UnstructuredGrids.h"
@@ -32,6 +33,7 @@ struct NamedData
 {
   vtkSmartPointer<vtkDataObject> data;
   std::string name;
+  std::string label;
 };
 
 /// AMR grids whose file doesn't mark the cells that finer ones cover: a shallow copy with the marks.
@@ -73,10 +75,11 @@ std::vector<NamedData> leavesOf(vtkDataObject* data)
   auto* composite = vtkCompositeDataSet::SafeDownCast(data);
   if (!composite)
   {
-    leaves.push_back({ data, "" });
+    leaves.push_back({ data, "", "" });
     return leaves;
   }
   const vtkSmartPointer<vtkCompositeDataSet> covered = withCoveredCells(composite);
+  const auto names = blockNames(data);
   auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(covered->NewIterator());
   iterator->SkipEmptyNodesOn();
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
@@ -84,7 +87,9 @@ std::vector<NamedData> leavesOf(vtkDataObject* data)
     const char* name =
       iterator->HasCurrentMetaData() ? iterator->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME()) : nullptr;
     const std::string label = name ? name : std::to_string(iterator->GetCurrentFlatIndex());
-    leaves.push_back({ iterator->GetCurrentDataObject(), " of block '" + label + "'" });
+    const auto known = names.find(iterator->GetCurrentDataObject());
+    leaves.push_back({ iterator->GetCurrentDataObject(), " of block '" + label + "'",
+      known == names.end() ? std::string() : known->second });
   }
   if (leaves.size() == 1)
   {
@@ -144,7 +149,9 @@ InputGrid readGrid(vtkDataObject* data)
   const std::vector<NamedData> leaves = leavesOf(data);
   if (leaves.size() == 1 && isRectilinear(leaves.front().data))
   {
-    return readRectilinear(vtkDataSet::SafeDownCast(leaves.front().data));
+    InputGrid result = readRectilinear(vtkDataSet::SafeDownCast(leaves.front().data));
+    result.blocks.front().label = leaves.front().label;
+    return result;
   }
   if (leaves.size() == 1 && vtkPolyData::SafeDownCast(leaves.front().data))
   {
@@ -156,6 +163,7 @@ InputGrid readGrid(vtkDataObject* data)
     // Readers leave empty data sets, without arrays, for the parts that hold nothing.
     if (leaf.data->GetNumberOfElements(vtkDataObject::CELL) > 0)
     {
+      builder.nameBlocks(leaf.label);
       addBlock(builder, leaf);
     }
   }

@@ -21,7 +21,8 @@ namespace strata::conversion
 /// concatenation of all data sets' cells and points.
 struct InputBlock
 {
-  std::string name; ///< for messages: "" or " of block 'x'"
+  std::string name;  ///< for messages: "" or " of block 'x'"
+  std::string label; ///< the name of the block, or of the one that it is a part of; "" if neither has one
   vtkSmartPointer<vtkDataSetAttributes> cellData;
   vtkSmartPointer<vtkDataSetAttributes> pointData;
   Index cellOffset = 0;

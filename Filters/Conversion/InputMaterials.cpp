@@ -1,5 +1,6 @@
 #include "Conversion/InputMaterials.h"
 
+#include "Conversion/BlockNames.h"
 #include "Conversion/CheckFractions.h"
 #include "Conversion/InputArrays.h"
 #include "Conversion/MaterialNames.h"
@@ -238,6 +239,10 @@ void readIds(const InputGrid& input, const std::string& name, Simulation& simula
     const auto at = places.find(ids[cell]);
     simulation.materialIds[cell] = at == places.end() ? 0 : at->second;
   }
+  if (isBlockIdName(name))
+  {
+    nameAfterBlocks(input, simulation);
+  }
 }
 
 void useOneMaterial(const InputGrid& input, Simulation& simulation)
@@ -314,7 +319,7 @@ FractionArrays ofCase(const InputGrid& input, const CaseDescription& description
 MaterialRoles readMaterials(const InputGrid& input, const CaseDescription& description,
   const SimulationOptions& options, Simulation& simulation, Warnings& warnings)
 {
-  const bool userSays = !options.volumeFractionArrays.empty() || namesIds(options);
+  const bool userSays = !options.volumeFractionArrays.empty() || namesIds(options) || options.blocksAsMaterials;
   FractionArrays arrays;
   if (!options.volumeFractionArrays.empty())
   {
@@ -329,6 +334,10 @@ MaterialRoles readMaterials(const InputGrid& input, const CaseDescription& descr
   if (!arrays.arrays.empty())
   {
     readFractions(input, arrays, options, simulation, warnings);
+  }
+  else if (options.blocksAsMaterials)
+  {
+    readBlocks(input, simulation);
   }
   else if (!ids.empty())
   {

@@ -2,6 +2,7 @@
 
 #include "Conversion/InputFields.h"
 #include "Conversion/InputMaterials.h"
+#include "Conversion/LabelImages.h"
 
 #include <vtkDataObject.h>
 #include <vtkDataSetAttributes.h>
@@ -18,7 +19,7 @@ ReadSimulationResult readSimulation(const CaseData& input, const SimulationOptio
     throw InvalidInput("There is no input grid");
   }
   ReadSimulationResult result;
-  result.source = readGrid(input.grid);
+  result.source = readGrid(withLabelsInCells(input.grid, options));
   result.warnings = result.source.warnings;
   const MaterialRoles roles =
     readMaterials(result.source, input.description, options, result.simulation, result.warnings);

@@ -15,6 +15,7 @@ struct SimulationOptions
 {
   std::vector<std::string> volumeFractionArrays;
   std::string materialIdArray;
+  bool blocksAsMaterials = false;
   std::string remainderMaterial = "empty";
   std::vector<std::string> materialsWithoutFields;
   std::vector<std::string> fieldArrays;

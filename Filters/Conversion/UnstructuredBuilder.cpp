@@ -18,6 +18,7 @@ namespace strata::conversion
 void UnstructuredBuilder::beginBlock(InputBlock block, std::vector<Vector> points)
 {
   const Index cellEnd = blocks_.empty() ? 0 : blocks_.back().cellOffset + blocks_.back().cellCount;
+  block.label = label_;
   block.cellOffset = cellEnd;
   block.pointOffset = grid_.pointCount();
   block.pointCount = static_cast<Index>(points.size());

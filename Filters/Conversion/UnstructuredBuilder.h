@@ -10,6 +10,8 @@ namespace strata::conversion
 class UnstructuredBuilder
 {
 public:
+  /// Says what the blocks that begin from now on are called (InputBlock::label).
+  void nameBlocks(const std::string& label) { label_ = label; }
   /// Begins a data set; the cells that follow count its points from 0.
   void beginBlock(InputBlock block, std::vector<Vector> points);
 
@@ -42,6 +44,7 @@ private:
 
   UnstructuredGrid grid_;
   std::vector<InputBlock> blocks_;
+  std::string label_;
   std::vector<Index> cellSource_;
   Index ignored_ = 0;
   Index straightened_ = 0;

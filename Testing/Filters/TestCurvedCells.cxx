@@ -196,8 +196,8 @@ TEST(CurvedCells, StraightCellsStayWholeWhereNoFieldBends)
 {
   for (const CurvedType& kind : curvedTypes)
   {
-    const auto same = [](const Vector& p) { return p; };
-    EXPECT_EQ(gridOf(conversion::readGrid(oneCell(kind, same))).cellCount(), 1) << kind.name;
+    const auto sheared = [](const Vector& p) { return Vector(p[0] + 0.1 * p[2], p[1], p[2]); };
+    EXPECT_EQ(gridOf(conversion::readGrid(oneCell(kind, sheared))).cellCount(), 1) << kind.name;
   }
 }
 
@@ -241,7 +241,7 @@ TEST(CurvedCells, AWrongNumberOfNodesIsNoReasonToReadBeyondThem)
   std::iota(ids.begin(), ids.end(), 0);
   grid->InsertNextCell(broken.type, broken.nodes, ids.data());
   const conversion::InputGrid input = conversion::readGrid(grid);
-  EXPECT_EQ(input.grid.index(), 1u);
+  EXPECT_EQ(cellCount(input.grid), 1);
   ASSERT_EQ(input.warnings.size(), 1u);
   EXPECT_NE(input.warnings.front().find("straight"), std::string::npos);
 }
