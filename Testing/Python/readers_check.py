@@ -4,24 +4,40 @@ The same problem in each: a unit cube of 6^3 cells, water below x = 1/2 and air 
 time steps, in the second of which the water's is one more.
 """
 import os
+import subprocess
 import sys
 from pathlib import Path
 
 import numpy
 import strata
+from paraview.modules.vtkPVVTKExtensionsIOCGNSWriter import vtkCGNSWriter
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkCellArray, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkIOCGNSReader import vtkCGNSReader
 from vtkmodules.vtkIOEnSight import vtkGenericEnSightReader
 from vtkmodules.vtkIOExodus import vtkExodusIIReader, vtkExodusIIWriter
 from vtkmodules.vtkIOGeometry import vtkOpenFOAMReader
+from vtkmodules.vtkIOHDF import vtkHDFReader
 from vtkmodules.vtkIOXdmf2 import vtkXdmfReader, vtkXdmfWriter
 
 FOLDER = Path(os.environ["STRATA_TEST_OUTPUT"]) / "Readers"
 SIDE = 6
 CORNERS = numpy.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)])
 DENSITY_BOUND = 0.01
+# Run by the system's Python: in ParaView's, h5py would meet another HDF5 library.
+PYTHON = "/usr/bin/python3"
+WRITE_VTKHDF = """
+import sys, h5py, numpy
+arrays = numpy.load(sys.argv[1])
+with h5py.File(sys.argv[2], "w") as file:
+    root = file.create_group("VTKHDF")
+    root.attrs["Version"] = (1, 0)
+    root.attrs.create("Type", b"UnstructuredGrid", dtype=h5py.string_dtype("ascii", 16))
+    for name in arrays.files:
+        root.create_dataset(name, data=arrays[name])
+"""
 
 
 def cells():
@@ -113,6 +129,36 @@ def xdmf():
     writer.Write()
     reader = vtkXdmfReader()
     reader.SetFileName(str(FOLDER / "cube.xmf"))
+    return reader, {"ids": "material"}
+
+
+def cgns():
+    data = grid()
+    data.GetCellData().RemoveArray("material")
+    add(data, "water_vf", (centers()[:, 0] < 0.5) * 1.0)
+    writer = vtkCGNSWriter()
+    writer.SetFileName(str(FOLDER / "cube.cgns"))
+    writer.SetInputData(data)
+    writer.Write()
+    reader = vtkCGNSReader()
+    reader.SetFileName(str(FOLDER / "cube.cgns"))
+    reader.UpdateInformation()
+    reader.EnableAllBases()
+    reader.EnableAllCellArrays()
+    return reader, {"remainder": "air"}
+
+
+def vtkhdf():
+    data, count = grid(), SIDE ** 3
+    arrays = {"Points": data.GetPoints().GetData(), "Connectivity": data.GetCells().GetConnectivityArray(),
+              "Offsets": data.GetCells().GetOffsetsArray(), "CellData/material": data.GetCellData().GetArray("material"),
+              "CellData/density": data.GetCellData().GetArray("density")}
+    arrays = {name: vtk_to_numpy(array) for name, array in arrays.items()}
+    numpy.savez(FOLDER / "cube.npz", Types=numpy.full(count, VTK_HEXAHEDRON, numpy.uint8), NumberOfCells=[count],
+                NumberOfPoints=[data.GetNumberOfPoints()], NumberOfConnectivityIds=[8 * count], **arrays)
+    subprocess.run([PYTHON, "-c", WRITE_VTKHDF, str(FOLDER / "cube.npz"), str(FOLDER / "cube.hdf")], check=True)
+    reader = vtkHDFReader()
+    reader.SetFileName(str(FOLDER / "cube.hdf"))
     return reader, {"ids": "material"}
 
 
@@ -213,10 +259,10 @@ def check(reader, settings):
 def main():
     FOLDER.mkdir(parents=True, exist_ok=True)
     faults = 0
-    for make in (exodus, openfoam, xdmf, ensight):
+    for make in (exodus, openfoam, xdmf, ensight, cgns, vtkhdf):
         try:
             found = check(*make())
-        except (RuntimeError, AttributeError) as problem:
+        except (RuntimeError, AttributeError, subprocess.CalledProcessError) as problem:
             found = [repr(problem)]
         faults += len(found)
         print(f"{make.__name__}: {'; '.join(found) or 'right'}", flush=True)
