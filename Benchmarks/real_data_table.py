@@ -68,6 +68,7 @@ def interfaces(row):
 
 def fields(row):
     claimed = f"{max(row['claimed fields']):.4g}" if row["claimed fields"] else "-"
+    claimed += f" + {row['left out']:.3g}" if row.get("left out") else ""
     return [claimed] + [f"{row[name]:.4g}" if name in row and row["claimed fields"] else "-"
                         for name in ("measured field", "sampled field")]
 
@@ -76,8 +77,9 @@ def line(row):
     name, errors, place, bounds = row["key"].split("|")
     start = [name, f"{row['cells in']}" if "cells in" in row else "", row.get("fields", ""), place,
              bounds.replace(":", " ")]
-    if "failed" in row:
-        return "| " + " | ".join(start + [row["failed"]] + [""] * 9) + " |"
+    if "failed" in row or not row["cells out"]:
+        reason = row.get("failed") or row["said"][0].split(": ", 2)[-1]
+        return "| " + " | ".join(start + [reason] + [""] * 9) + " |"
     found = row["violations"]
     met = "yes" if row["met"] else row["stopped by"]
     return "| " + " | ".join(start + [str(row["cells out"])] + interfaces(row) + fields(row) + [
