@@ -1,0 +1,40 @@
+"""Plays the impact's time steps in a real ParaView window: gui_animation.py PARAVIEW DATA FOLDER
+
+DATA is the project's folder Data. The case is opened, refined and sliced; then the frames are stepped through from the
+first to the last and to the first again, as the player's buttons do. FOLDER receives a picture of the window whenever it
+rests, to be looked at (colours and names must stay), and ParaView's timer log, of which the times of the filters are
+printed: one a frame. Run it under scripts/with-display, with STRATA_PLUGIN naming the plugin's library.
+"""
+import sys
+from pathlib import Path
+
+import gui_tour
+from gui_drag import play, print_times
+from gui_steps import MAIN, PLANE, add_filter, apply, event, look_along_y, open_file, pause, set_number
+
+FRAMES = 6
+
+
+def step(button):
+    return event(f"{MAIN}/VCRToolbar/{button}", "activate") + pause(3.0)
+
+
+def session(data):
+    return (open_file(data / "impact/impact.strata") + apply() + step("actionVCRLastFrame")
+            + add_filter("MultiresolutionTetrahedra") + set_number("InterfaceErrorBound", 0.15) + apply()
+            + add_filter("MaterialSlice") + event(f"{PLANE}/useYNormal", "activate") + pause(1.0)
+            + event(f"{PLANE}/show3DWidget", "set_boolean", "false") + apply() + look_along_y()
+            + step("actionVCRFirstFrame") + (FRAMES - 1) * step("actionVCRNextFrame") + step("actionVCRFirstFrame"))
+
+
+def main(paraview, data, folder):
+    folder = Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    gui_tour.REST = 1.0
+    result = play(paraview, session(Path(data)), folder)
+    print_times((folder / "timer.log").read_text().splitlines())
+    return result
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
