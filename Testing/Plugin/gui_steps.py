@@ -122,10 +122,15 @@ def sliders(path, bound):
             + search("focus") + tick_all + pause(1.5) + apply() + search(""))
 
 
-def sliced(path, bound):
-    """A slice across the longest side; then the hand drags its plane."""
+def save_state(path):
+    return (event(f"{MAIN}/menubar/menu_File", "activate", "actionFileSaveServerState")
+            + event(f"{MAIN}/FileSaveServerStateDialog", "filesSelected", str(path)) + pause(2.0))
+
+
+def sliced(path, bound, before, after):
+    """A slice across the longest side; then the hand drags its plane. States are saved before and after."""
     return (refined(path, bound) + add_filter("MaterialSlice") + event(f"{PLANE}/useYNormal", "activate") + apply()
-            + 6 * pause(4.0) + press_apply() + pause() + look_along_y())
+            + save_state(before) + 8 * pause(4.0) + apply() + save_state(after) + look_along_y() + pause())
 
 
 def long_run(path):
@@ -137,8 +142,7 @@ def long_run(path):
 
 def saved(path, bound, state):
     return (refined(path, bound) + add_filter("MaterialSlice") + event(f"{PLANE}/useYNormal", "activate") + apply()
-            + look_along_y() + event(f"{MAIN}/menubar/menu_File", "activate", "actionFileSaveServerState")
-            + event(f"{MAIN}/FileSaveServerStateDialog", "filesSelected", str(state)) + pause(2.0))
+            + look_along_y() + save_state(state))
 
 
 def loaded(state):

@@ -12,6 +12,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from xml.etree import ElementTree
 
 import gui_steps as steps
 from test_gui import WINDOW, screen, write_png
@@ -19,8 +20,7 @@ from test_gui import WINDOW, screen, write_png
 REST = 1.5  # seconds without a change
 PATIENCE = 400  # seconds for a tour
 STATUS_BAR = 25  # rows at the window's lower end
-VIEW = (slice(200, -STATUS_BAR), slice(310, None))  # rows and columns of the render view
-ARROW = (0.616, 0.340)  # the upper tip of the plane's normal, as parts of the window
+VIEW = (slice(200, -STATUS_BAR), slice(310, 1100))  # rows and columns of the render view, without its legend
 
 
 def hand(*actions):
@@ -35,17 +35,51 @@ def close_dialog(film):
     return True
 
 
-def drag_plane(film):
-    """Takes the red plane by the tip of its normal and turns it."""
-    if film.rested() < 6.0 or not is_red(film.last[VIEW]).sum() > 300:
-        return False
-    x, y = (int(part * length) for part, length in zip(ARROW, WINDOW))
-    hand("mousemove", x, y, "mousedown", 1)
-    for step in range(12):
-        hand("mousemove", x + 10 * step, y)
+def drag(x, y, down):
+    """Presses the button, moves the mouse down (or up, if negative) in small steps, and lets go."""
+    hand("mousemove", x, y)
+    time.sleep(1.0)
+    hand("mousedown", 1)
+    for step in range(1, 21):
+        hand("mousemove", x, y + down * step // 20)
         time.sleep(0.1)
     hand("mouseup", 1)
+    time.sleep(2.0)
+
+
+def drag_plane(film):
+    """Turns the red plane by the tip of its normal, then pushes it, taken left of its middle.
+
+    A drag turns the normal about the axis in the screen normal to the drag: one sideways would spin it about itself.
+    """
+    red = is_red(film.last[VIEW]) if film.rested() > 6.0 else None
+    if red is None or red.sum() < 300:
+        return False
+    rows, columns = red.nonzero()
+    top, left = VIEW[0].start + rows.min(), VIEW[1].start
+    tip = left + int(columns[rows < rows.min() + 12].mean())
+    drag(tip, top + 12, 60)
+    film.look()
+    film.save()
+    drag(tip - 60, VIEW[0].start + (rows.min() + rows.max()) // 2, -60)
     return True
+
+
+def plane_of(state):
+    """Origin and normal of the slice's plane in a saved state."""
+    tree = ElementTree.parse(state)
+    place = tree.find(".//Proxy[@type='MaterialSlice']/Property[@name='SliceType']/Proxy").get("value")
+    plane = tree.find(f".//Proxy[@type='Plane'][@id='{place}']")
+    return [[float(element.get("value")) for element in plane.iterfind(f"Property[@name='{name}']/Element")]
+            for name in ("Origin", "Normal")]
+
+
+def plane_has_moved(before, after):
+    """Whether the hand has changed the plane's origin and its normal."""
+    pairs = list(zip(("origin", "normal"), plane_of(before), plane_of(after)))
+    for name, old, new in pairs:
+        print(f"{name} before and after the drag: {old} {new}")
+    return all(max(abs(a - b) for a, b in zip(old, new)) > 0.01 for _, old, new in pairs)
 
 
 def is_red(picture):
@@ -78,17 +112,17 @@ def press_abort(film):
 
 
 def tours(data, folder):
-    """Name -> events, and what the hand does when it is time: called until it returns true."""
-    cth, state = data / "cth/cth.vtr", folder / "cth.pvsm"
+    """Name -> events, what the hand does when it is time (called until it returns true), what must hold at the end."""
+    cth, state, before, after = data / "cth/cth.vtr", *(folder / f"{name}.pvsm" for name in ("cth", "before", "after"))
     return {
-        "cth": (steps.all_filters(cth, 0.5), None),
-        "amr": (steps.all_filters(data / "spcth/spcth_t4.vth", 0.2), None),
-        "openfoam": (steps.all_filters(data / "openfoam/damBreakWithObstacle_t0.30.vtu", 0.02), None),
-        "errors": (steps.error_table(cth, 0.5), None),
-        "sliders": (steps.sliders(cth, 0.5), None),
-        "plane": (steps.sliced(cth, 0.5), drag_plane),
+        "cth": (steps.all_filters(cth, 0.5),),
+        "amr": (steps.all_filters(data / "spcth/spcth_t4.vth", 0.2),),
+        "openfoam": (steps.all_filters(data / "openfoam/damBreakWithObstacle_t0.30.vtu", 0.02),),
+        "errors": (steps.error_table(cth, 0.5),),
+        "sliders": (steps.sliders(cth, 0.5),),
+        "plane": (steps.sliced(cth, 0.5, before, after), drag_plane, lambda: plane_has_moved(before, after)),
         "abort": (steps.long_run(cth), press_abort),
-        "saved": (steps.saved(cth, 0.5, state), None),
+        "saved": (steps.saved(cth, 0.5, state),),
         "loaded": (steps.loaded(state), close_dialog),
     }
 
@@ -126,8 +160,8 @@ def start(paraview, script):
     return subprocess.Popen(command + [f"--test-script={script}", "--exit"])
 
 
-def play(paraview, name, events, act, folder):
-    """Plays events in a window of their own, the hand acting once; false if ParaView fails."""
+def play(paraview, folder, name, events, act=None, holds=lambda: True):
+    """Plays events in a window of their own, the hand acting once; false if ParaView fails or what must hold does not."""
     with tempfile.NamedTemporaryFile("w", suffix=".xml", delete=False) as file:
         file.write(f'<?xml version="1.0" ?>\n<pqevents>\n{events}</pqevents>\n')
     process = start(paraview, file.name)
@@ -143,14 +177,19 @@ def play(paraview, name, events, act, folder):
     if not done:
         print(f"ERROR: in the tour {name} there was nothing for the hand to do")
     print(f"{name}: {film.count} pictures, ParaView ended with {process.returncode}")
-    return done and process.returncode == 0
+    if process.returncode != 0 or not done:
+        return False
+    if not holds():
+        print(f"ERROR: the tour {name} did not do what it should")
+        return False
+    return True
 
 
 def main(paraview, data, folder, *chosen):
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     known = tours(Path(data), folder)
-    results = [play(paraview, name, *known[name], folder) for name in chosen or known]
+    results = [play(paraview, folder, name, *known[name]) for name in chosen or known]
     return 0 if all(results) else 1
 
 
