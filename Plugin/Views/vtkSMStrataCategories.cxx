@@ -5,11 +5,14 @@
 
 #include <vtkDataObject.h>
 #include <vtkObjectFactory.h>
+#include <vtkPVArrayInformation.h>
+#include <vtkPVDataInformation.h>
 #include <vtkPVXMLElement.h>
 #include <vtkSMPVRepresentationProxy.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMProxyManager.h>
 #include <vtkSMSessionProxyManager.h>
+#include <vtkSMSourceProxy.h>
 
 #include <cstring>
 
@@ -30,12 +33,18 @@ bool isNewViewOf(vtkSMProxy* source, const vtkSMProxyManager::RegisteredProxyInf
          registered.Proxy->GetProperty("ColorArrayName");
 }
 
-/// False if the source has no categories yet, because it is empty.
+bool hasCellArray(vtkSMProxy* source, const std::string& array)
+{
+  auto* producer = vtkSMSourceProxy::SafeDownCast(source);
+  return producer && producer->GetDataInformation()->GetArrayInformation(array.c_str(), vtkDataObject::CELL);
+}
+
+/// False if the source has no categories or no cells yet; ParaView would warn of an array without a range.
 bool colorByCategory(vtkSMProxy* view, vtkSMProxy* source, const std::string& array)
 {
   source->UpdatePropertyInformation();
   const Categories categories = readCategories(vtkSMPropertyHelper(source, "Legend").GetAsString());
-  if (categories.empty())
+  if (categories.empty() || !hasCellArray(source, array))
   {
     return false;
   }

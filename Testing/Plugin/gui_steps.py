@@ -86,13 +86,19 @@ def add_filter_of_two(name, port, place):
 
 
 def companions():
-    """Every filter that takes a representation; a slice stays."""
+    """Every filter that takes a representation; a slice across y stays, seen from its front."""
     steps = ""
     for name in ("MaterialContour", "ExtractMaterials", "RepresentedInterfaces"):
         steps += select(*REPRESENTATION) + add_filter(name) + apply() + delete()
-    return (steps + select(*REPRESENTATION) + add_filter("MaterialSlice") + apply()
+    return (steps + select(*REPRESENTATION) + add_filter("MaterialSlice") + event(f"{PLANE}/useYNormal", "activate")
+            + apply() + look_along_y() + pause()
             + select(*REPRESENTATION) + add_filter_of_two("SampleRepresentation", "Points", (*REPRESENTATION, 0))
             + apply() + delete())
+
+
+def read_levels(count):
+    """For an AMR file, of which ParaView's reader takes one level by default."""
+    return event(f"{PANEL}/DefaultNumberOfLevels/LineEdit", "set_string", str(count)) + pause(1.0)
 
 
 def refined(path, bound):
@@ -100,9 +106,9 @@ def refined(path, bound):
             + set_number("InterfaceErrorBound", bound) + apply())
 
 
-def all_filters(path, bound):
-    """Opens data, then every filter in turn."""
-    return (open_file(path) + apply() + add_filter("MaterialInterfaces") + apply() + delete() + select(*DATA)
+def all_filters(path, bound, reader=""):
+    """Opens data, the reader's properties set by further events, then every filter in turn."""
+    return (open_file(path) + reader + apply() + add_filter("MaterialInterfaces") + apply() + delete() + select(*DATA)
             + add_filter("MultiresolutionTetrahedra") + set_number("InterfaceErrorBound", bound) + apply()
             + companions())
 

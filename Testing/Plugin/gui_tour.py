@@ -116,7 +116,7 @@ def tours(data, folder):
     cth, state, before, after = data / "cth/cth.vtr", *(folder / f"{name}.pvsm" for name in ("cth", "before", "after"))
     return {
         "cth": (steps.all_filters(cth, 0.5),),
-        "amr": (steps.all_filters(data / "spcth/spcth_t4.vth", 0.2),),
+        "amr": (steps.all_filters(data / "spcth/spcth_t4.vth", 0.2, steps.read_levels(3)),),
         "openfoam": (steps.all_filters(data / "openfoam/damBreakWithObstacle_t0.30.vtu", 0.02),),
         "errors": (steps.error_table(cth, 0.5),),
         "sliders": (steps.sliders(cth, 0.5),),
