@@ -98,7 +98,7 @@ def companions():
 
 def read_levels(count):
     """For an AMR file, of which ParaView's reader takes one level by default."""
-    return event(f"{PANEL}/DefaultNumberOfLevels/LineEdit", "set_string", str(count)) + pause(1.0)
+    return event(f"{PANEL}/DefaultNumberOfLevels/IntRangeWidget/LineEdit", "set_string", str(count)) + pause(1.0)
 
 
 def refined(path, bound):
