@@ -51,23 +51,6 @@ std::size_t bytes(const std::vector<T>& values)
 {
   return values.capacity() * sizeof(T);
 }
-
-template<typename T>
-std::size_t bytes(const Buffer<T>& values)
-{
-  return static_cast<std::size_t>(values.size()) * sizeof(T);
-}
-
-template<typename T>
-std::size_t bytesOfAll(const std::vector<Buffer<T>>& buffers)
-{
-  std::size_t sum = 0;
-  for (const Buffer<T>& buffer : buffers)
-  {
-    sum += bytes(buffer);
-  }
-  return sum;
-}
 }
 
 std::vector<int> availableSeries()
@@ -177,18 +160,6 @@ std::size_t bytesOf(const Hierarchy& hierarchy)
   return bytes(hierarchy.cells) + bytes(hierarchy.cellMaterials) + bytes(hierarchy.interfaceErrors) +
          bytes(hierarchy.fieldErrors) + bytes(hierarchy.diamonds) + table + bytes(hierarchy.vertices) +
          bytes(hierarchy.vertexMaterials) + bytes(hierarchy.valueOffsets) + bytes(hierarchy.values);
-}
-
-std::size_t bytesOf(const Mesh& mesh)
-{
-  std::size_t sum = bytes(mesh.points) + bytes(mesh.tetrahedra) + bytesOfAll(mesh.distances) + bytesOfAll(mesh.ghosts) +
-                    bytes(mesh.vertexMaterial) + bytesOfAll(mesh.composite) + bytes(mesh.cellMaterial) +
-                    bytes(mesh.cellLevel) + bytes(mesh.cellInterfaceError) + bytesOfAll(mesh.cellFieldErrors);
-  for (const std::vector<Buffer<float>>& field : mesh.values)
-  {
-    sum += bytesOfAll(field);
-  }
-  return sum;
 }
 
 double peakMebibytes()

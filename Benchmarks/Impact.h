@@ -1,10 +1,10 @@
 #pragma once
 
 #include "Build/BuildOptions.h"
+#include "Model/CopyMesh.h"
 #include "Model/ErrorBounds.h"
 #include "Model/Hierarchy.h"
 #include "Model/Interfaces.h"
-#include "Model/Mesh.h"
 #include "Model/NativeData.h"
 #include "Model/Simulation.h"
 
@@ -56,7 +56,6 @@ private:
 
 /// Memory of what travels between the stages.
 std::size_t bytesOf(const Hierarchy& hierarchy);
-std::size_t bytesOf(const Mesh& mesh);
 
 /// Largest resident memory of this process so far, MiB: that of one benchmark if it runs alone (--benchmark_filter).
 double peakMebibytes();

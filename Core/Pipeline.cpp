@@ -5,6 +5,8 @@
 #include "CloseRegions.h"
 #include "FittedLevel.h"
 #include "InterfaceCertificate.h"
+#include "KeptLevels.h"
+#include "Model/CopyMesh.h"
 #include "Select/Front.h"
 #include "Select/Saturate.h"
 
@@ -16,6 +18,8 @@ namespace
 {
 /// Shares of the progress bar.
 constexpr double buildShare = 0.9;
+/// Fitted levels that are kept take no more: some four million cells.
+constexpr std::size_t mostKeptBytes = std::size_t{ 256 } << 20;
 
 /// A level of the hierarchy, and what is known of its interfaces.
 struct Selection
@@ -51,6 +55,7 @@ struct Multiresolution::State
   BuildOptions options;
   std::unique_ptr<HierarchyBuilder> builder;
   std::unique_ptr<InterfaceTrees> originals; ///< only where interfaces are certified
+  KeptLevels fittedLevels{ mostKeptBytes };
 
   const Hierarchy& hierarchy() const { return builder->hierarchy(); }
   bool isCertified() const { return options.nativeElements == NativeElements::Cells; }
@@ -265,6 +270,11 @@ Mesh Multiresolution::State::emitSelected(const SelectOptions& chosen, const Emi
 
 Mesh Multiresolution::State::emitFitted(const SelectOptions& select, const EmitOptions& emitted, Progress& progress)
 {
+  const KeptLevels::Key key{ select.bounds, emitted };
+  if (const Mesh* kept = fittedLevels.find(key))
+  {
+    return copyOf(*kept);
+  }
   FitOptions fit;
   fit.maximumLevel = options.maximumLevel;
   FittedLevel fitted = fitLevel(*builder, certifiedAgainst(), select.bounds, fit, progress);
@@ -275,6 +285,7 @@ Mesh Multiresolution::State::emitFitted(const SelectOptions& select, const EmitO
   {
     fitted.certificate->writeErrors(mesh);
   }
+  fittedLevels.keep(key, mesh);
   return mesh;
 }
 

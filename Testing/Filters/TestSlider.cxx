@@ -166,6 +166,43 @@ TEST(KeptInterfaces, OtherFieldsAndOtherFractionsGiveTheBytesOfAFreshFilter)
   expectFresh();
 }
 
+TEST(KeptLevels, NothingIsLeftOfFittedLevelsOnceTheInputTheFieldsOrBuildOptionsChange)
+{
+  const vtkSmartPointer<vtkImageData> input = twoWaves(8);
+  for (const std::string side : { "left", "right" })
+  {
+    vtkNew<vtkFloatArray> warmth;
+    warmth->DeepCopy(cellArray(input, ("density_" + side).c_str()));
+    warmth->SetValue(5, 7.0f);
+    warmth->SetName(("warmth_" + side).c_str());
+    input->GetCellData()->AddArray(warmth);
+  }
+  vtkNew<vtkStrataTetrahedra> kept;
+  const auto expectFresh = [&](const char* field, int cubes, int arrays) {
+    vtkNew<vtkStrataTetrahedra> fresh;
+    for (vtkStrataTetrahedra* filter : { kept.Get(), fresh.Get() })
+    {
+      filter->SetInputData(input);
+      filter->SetErrorMethod(vtkStrataTetrahedra::FITTED);
+      filter->ClearFieldArrays();
+      filter->AddFieldArray(field);
+      filter->SetBaseCubes(cubes, 1, 1);
+      filter->SetPassArrays(arrays);
+      move(filter, { 0.05, 0.02, 0 });
+      ASSERT_EQ(update(filter).error, "");
+    }
+    expectSameBytes(meshOf(kept), meshOf(fresh));
+  };
+  expectFresh("density", 1, vtkStrataTetrahedra::ALL);
+  cellArray(input, "density_left")->SetValue(0, 9.0f);
+  input->Modified();
+  expectFresh("density", 1, vtkStrataTetrahedra::ALL);
+  expectFresh("warmth", 1, vtkStrataTetrahedra::ALL);
+  expectFresh("warmth", 2, vtkStrataTetrahedra::ALL);
+  expectFresh("warmth", 2, vtkStrataTetrahedra::COMPOSITE_ONLY);
+  EXPECT_EQ(kept->GetNumberOfBuilds(), 4);
+}
+
 INSTANTIATE_TEST_SUITE_P(OfEveryErrorMethod, Slider,
   testing::Values(vtkStrataTetrahedra::DIRECT, vtkStrataTetrahedra::SATURATED, vtkStrataTetrahedra::FITTED,
     vtkStrataTetrahedra::ACCUMULATED));
