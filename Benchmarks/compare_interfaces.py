@@ -47,11 +47,12 @@ def timed(algorithm):
     return time.process_time() - start
 
 
-def strata(case, corrected):
+def strata(case, corrected, gathered=True):
     """MaterialInterfaces."""
     source = simple.TrivialProducer()
     source.GetClientSideObject().SetOutput(case.grid)
-    proxy = simple.MaterialInterfaces(Input=source, VolumeFractionArrays=case.names, VolumeCorrection=int(corrected))
+    proxy = simple.MaterialInterfaces(Input=source, VolumeFractionArrays=case.names, VolumeCorrection=int(corrected),
+                                      GatherSmearedFractions=int(gathered))
     proxy.UpdateVTKObjects()
     source.UpdatePipeline()
     algorithm = proxy.GetClientSideObject()
@@ -194,6 +195,7 @@ def plane_of(polygon):
 
 
 METHODS = {"Strata, corrected": lambda case: strata(case, True),
+           "Strata, smeared cells each for itself": lambda case: strata(case, True, False),
            "Strata, uncorrected": lambda case: strata(case, False),
            "Contour, once per material": contour, "Extract CTH Parts": cth_parts, "Youngs": youngs}
 
