@@ -1,10 +1,12 @@
 #include "Build/HierarchyBuilder.h"
 
+#include "Build/BaseMesh.h"
 #include "Build/CellFunctions.h"
 #include "Build/CellRowsOf.h"
 #include "Build/CertifiedFields.h"
 #include "Build/CertifiedInterfaces.h"
 #include "Build/DepthFirst.h"
+#include "Build/MaterialsHeld.h"
 #include "Model/Errors.h"
 
 #include <tbb/parallel_for.h>
@@ -47,10 +49,6 @@ Lattice latticeFor(const NativeData& native, const BuildOptions& options)
   return { native.box(), options.baseCubes };
 }
 
-/// The corners of the six Kuhn tetrahedra of a cube: the monotone paths from (0,0,0) to (1,1,1).
-constexpr std::array<std::array<int, 3>, 6> kuhnPaths = { { { 0, 1, 2 }, { 0, 2, 1 }, { 1, 0, 2 }, { 1, 2, 0 },
-  { 2, 0, 1 }, { 2, 1, 0 } } };
-
 MaterialSet allMaterials(std::size_t count)
 {
   MaterialSet result;
@@ -86,37 +84,19 @@ HierarchyBuilder::HierarchyBuilder(std::shared_ptr<const NativeData> native, con
 
 void HierarchyBuilder::makeBaseMesh()
 {
-  const std::array<int, 3>& cubes = hierarchy_.lattice.cubes;
   std::map<std::array<std::int32_t, 3>, VertexId> vertexAt;
   const MaterialSet all = allMaterials(hierarchy_.materials.size());
-  for (int k = 0; k < cubes[2]; ++k)
+  for (const BaseCell& base : baseCells(hierarchy_.lattice))
   {
-    for (int j = 0; j < cubes[1]; ++j)
+    HierarchyCell cell;
+    for (std::size_t corner = 0; corner < 4; ++corner)
     {
-      for (int i = 0; i < cubes[0]; ++i)
-      {
-        for (const std::array<int, 3>& path : kuhnPaths)
-        {
-          LatticePoint at = { { i * Lattice::cubeSize, j * Lattice::cubeSize, k * Lattice::cubeSize } };
-          std::array<VertexId, 4> corners;
-          for (std::size_t step = 0; step < 4; ++step)
-          {
-            VertexId& vertex = vertexAt[at.at];
-            vertex = vertex.valid() ? vertex : addVertex(at, all);
-            corners[step] = vertex;
-            if (step < 3)
-            {
-              at[path[step]] += Lattice::cubeSize;
-            }
-          }
-          HierarchyCell cell;
-          cell.corners = corners;
-          // Three steps turn as their order does.
-          cell.inverted = (path[0] + 1) % 3 != path[1];
-          joinDiamond(addCell(cell));
-        }
-      }
+      VertexId& vertex = vertexAt[base.corners[corner].at];
+      vertex = vertex.valid() ? vertex : addVertex(base.corners[corner], all);
+      cell.corners[corner] = vertex;
     }
+    cell.inverted = base.inverted;
+    joinDiamond(addCell(cell));
   }
   hierarchy_.rootCount = static_cast<Index>(hierarchy_.cells.size());
 }
@@ -210,58 +190,12 @@ void HierarchyBuilder::evaluateVertices(std::size_t first, Progress& progress)
   });
 }
 
-MaterialSet HierarchyBuilder::materialsHeld(CellId cell, const CellElements& elements, MaterialSet allowed) const
-{
-  MaterialSet result;
-  for (std::uint32_t i = 0; i < elements.triangleCount(); ++i)
-  {
-    result = result | interfaces_.materialsOfTriangle(elements.triangles()[i]);
-  }
-  for (std::uint32_t i = 0; i < elements.vertexCount(); ++i)
-  {
-    result = result | interfaces_.materialsOfVertex(elements.vertices()[i]);
-  }
-  if (result.empty())
-  {
-    // No interface: one material fills the cell, the one that is nearest to all corners.
-    MaterialId nearest;
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const MaterialId m : allowed)
-    {
-      double sum = 0.0;
-      for (const VertexId corner : hierarchy_.cell(cell).corners)
-      {
-        sum += static_cast<double>(*hierarchy_.valuesOf(corner, m));
-      }
-      nearest = sum < smallest ? m : nearest;
-      smallest = std::min(smallest, sum);
-    }
-    result.insert(nearest);
-  }
-  // All samples of a pure parent are of its one material.
-  if (allowed != result)
-  {
-    constexpr Index blockSize = 256;
-    std::array<MaterialSet, blockSize> sets;
-    for (Index begin = 0; begin < elements.sampleCount(); begin += blockSize)
-    {
-      const Index count = std::min<Index>(blockSize, elements.sampleCount() - begin);
-      native_->materialsAt(elements.samples() + begin, count, sets.data());
-      for (Index i = 0; i < count; ++i)
-      {
-        result = result | sets[static_cast<std::size_t>(i)];
-      }
-    }
-  }
-  return result;
-}
-
 void HierarchyBuilder::finishCell(CellId id, const CellElements& candidates, MaterialSet allowed)
 {
   const auto c = static_cast<std::size_t>(id.value);
   const Barycentric barycentric(cornerPositions(hierarchy_, id));
   elements_[c] = elementsWithin(barycentric, candidates, *native_, interfaces_);
-  hierarchy_.cellMaterials[c] = materialsHeld(id, elements_[c], allowed);
+  hierarchy_.cellMaterials[c] = materialsHeld(hierarchy_, id, elements_[c], allowed, *native_, interfaces_);
   const CellErrors errors = errorsOf(hierarchy_, id, barycentric, elements_[c]);
   hierarchy_.interfaceErrors[c] = errors.interfaceError;
   std::copy(errors.fieldErrors.begin(), errors.fieldErrors.end(),

@@ -54,7 +54,6 @@ private:
   void addChildren(CellId parent, VertexId middle);
   void evaluateVertices(std::size_t first, Progress& progress);
   void finishCell(CellId cell, const CellElements& candidates, MaterialSet allowed);
-  MaterialSet materialsHeld(CellId cell, const CellElements& elements, MaterialSet allowed) const;
   void growCellArrays();
 
   std::shared_ptr<const NativeData> native_;
