@@ -65,8 +65,10 @@ def strata(case, corrected, gathered=True):
         surface = collection.GetPartition(block, 0)
         if surface and surface.GetNumberOfCells():
             triangles = triangles_of(surface)
-            surfaces[surface.GetCellData().GetArray("positive_material").GetValue(0)].append(triangles[:, ::-1])
-            surfaces[surface.GetCellData().GetArray("negative_material").GetValue(0)].append(triangles)
+            for side, turned in (("positive_material", triangles[:, ::-1]), ("negative_material", triangles)):
+                material = surface.GetCellData().GetArray(side).GetValue(0)
+                if material < len(surfaces):  # not the outside of hidden cells
+                    surfaces[material].append(turned)
     simple.Delete(proxy)
     simple.Delete(source)
     return Result(seconds, [numpy.concatenate(s) if s else numpy.zeros((0, 3, 3)) for s in surfaces])
