@@ -46,7 +46,7 @@ int vtkStrataMaterialInterfaces::RequestData(
     conversion::writeVolumes(found, output->GetFieldData());
     if (this->VolumeErrors)
     {
-      conversion::writeGridErrors(input.grid, read, found.cellVolumeErrors, output);
+      conversion::writeGridErrors(read, found.cellVolumeErrors, output);
     }
     conversion::writeAssembly(read.simulation.materials, output);
   });

@@ -72,6 +72,7 @@ void addHyperTrees(UnstructuredBuilder& builder, vtkHyperTreeGrid* data, const s
   }
   InputBlock block;
   block.name = blockName;
+  block.data = data;
   block.cellData = data->GetCellData();
   block.pointData = vtkSmartPointer<vtkPointData>::New();
   block.cellCount = data->GetNumberOfCells();

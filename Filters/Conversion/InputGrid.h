@@ -23,6 +23,7 @@ struct InputBlock
 {
   std::string name;  ///< for messages: "" or " of block 'x'"
   std::string label; ///< the name of the block, or of the one that it is a part of; "" if neither has one
+  vtkSmartPointer<vtkDataObject> data;
   vtkSmartPointer<vtkDataSetAttributes> cellData;
   vtkSmartPointer<vtkDataSetAttributes> pointData;
   Index cellOffset = 0;

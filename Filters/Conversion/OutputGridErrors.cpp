@@ -2,79 +2,73 @@
 
 #include "Conversion/ValueConversion.h"
 
-#include <vtkCellData.h>
-#include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkDataObject.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkPartitionedDataSetCollection.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <variant>
 
 namespace strata::conversion
 {
 namespace
 {
-std::vector<vtkDataObject*> leavesOf(vtkDataObject* grid)
+/// The errors of one material at the cells of all blocks, one after the other.
+std::vector<double> errorsOfBlocks(const ReadSimulationResult& read, const std::vector<double>& errors)
 {
-  std::vector<vtkDataObject*> leaves;
-  auto* composite = vtkCompositeDataSet::SafeDownCast(grid);
-  if (!composite)
+  const InputGrid& input = read.source;
+  const InputBlock& last = input.blocks.back();
+  std::vector<double> result(
+    static_cast<std::size_t>(last.cellOffset + last.cellCount), std::numeric_limits<double>::quiet_NaN());
+  const std::vector<std::uint8_t>& hidden =
+    std::visit([](const auto& grid) -> const std::vector<std::uint8_t>& { return grid.hidden; }, read.simulation.grid);
+  for (std::size_t cell = 0; cell < errors.size(); ++cell)
   {
-    leaves.push_back(grid);
-    return leaves;
-  }
-  auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    leaves.push_back(iterator->GetCurrentDataObject());
-  }
-  return leaves;
-}
-
-/// A block's part of the errors of one material, one value per cell of the block.
-Buffer<double> errorsOf(const InputBlock& block, const InputGrid& input, const std::vector<double>& errors)
-{
-  Buffer<double> result(block.cellCount);
-  if (input.cellSource.empty())
-  {
-    std::copy_n(
-      errors.begin(), std::min<std::size_t>(errors.size(), static_cast<std::size_t>(block.cellCount)), result.begin());
-    return result;
-  }
-  std::fill(result.begin(), result.end(), std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t cell = 0; cell < input.cellSource.size(); ++cell)
-  {
-    const Index place = input.cellSource[cell] - block.cellOffset;
-    if (place >= 0 && place < block.cellCount)
+    if (hidden.empty() || !hidden[cell])
     {
-      result[place] = errors[cell];
+      // A curved cell has the errors of all pieces that it is cut into.
+      double& error = result[input.cellSource.empty() ? cell : static_cast<std::size_t>(input.cellSource[cell])];
+      error = std::isnan(error) ? errors[cell] : error + errors[cell];
     }
   }
   return result;
 }
+
+Buffer<double> partOf(const InputBlock& block, const std::vector<double>& values)
+{
+  Buffer<double> result(block.cellCount);
+  std::copy_n(values.begin() + block.cellOffset, block.cellCount, result.begin());
+  return result;
+}
 }
 
-void writeGridErrors(vtkDataObject* grid, const ReadSimulationResult& read,
-  const std::vector<std::vector<double>>& cellVolumeErrors, vtkPartitionedDataSetCollection* output)
+void writeGridErrors(const ReadSimulationResult& read, const std::vector<std::vector<double>>& cellVolumeErrors,
+  vtkPartitionedDataSetCollection* output)
 {
   const unsigned int number = output->GetNumberOfPartitionedDataSets();
-  const std::vector<vtkDataObject*> leaves = leavesOf(grid);
-  for (std::size_t b = 0; b < leaves.size() && b < read.source.blocks.size(); ++b)
+  const std::vector<InputBlock>& blocks = read.source.blocks;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
   {
-    auto copy = vtkSmartPointer<vtkDataObject>::Take(leaves[b]->NewInstance());
-    copy->ShallowCopy(leaves[b]);
-    vtkFieldData* cellData = copy->GetAttributesAsFieldData(vtkDataObject::CELL);
-    for (std::size_t m = 0; m < cellVolumeErrors.size() && cellData; ++m)
-    {
-      if (!cellVolumeErrors[m].empty())
-      {
-        cellData->AddArray(give<vtkDoubleArray>("volume_error_" + read.simulation.materials[m].name,
-          errorsOf(read.source.blocks[b], read.source, cellVolumeErrors[m])));
-      }
-    }
+    auto copy = vtkSmartPointer<vtkDataObject>::Take(blocks[b].data->NewInstance());
+    copy->ShallowCopy(blocks[b].data);
     output->SetPartition(number, static_cast<unsigned int>(b), copy);
+  }
+  for (std::size_t m = 0; m < cellVolumeErrors.size(); ++m)
+  {
+    const std::vector<double> errors = errorsOfBlocks(read, cellVolumeErrors[m]);
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+    {
+      vtkDataObject* copy = output->GetPartitionAsDataObject(number, static_cast<unsigned int>(b));
+      copy->GetAttributesAsFieldData(vtkDataObject::CELL)
+        ->AddArray(
+          give<vtkDoubleArray>("volume_error_" + read.simulation.materials[m].name, partOf(blocks[b], errors)));
+    }
   }
   output->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), names::grid);
 }

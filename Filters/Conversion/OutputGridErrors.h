@@ -6,8 +6,9 @@ class vtkPartitionedDataSetCollection;
 
 namespace strata::conversion
 {
-/// Adds an input grid as the block `grid` of a collection, with the cell arrays `volume_error_<m>` (reconstructed minus
-/// given volume; NaN in cells that took no part).
-void writeGridErrors(vtkDataObject* grid, const ReadSimulationResult& read,
-  const std::vector<std::vector<double>>& cellVolumeErrors, vtkPartitionedDataSetCollection* output);
+/// Adds the blocks that a simulation was read from as the block `grid` of a collection, with the cell arrays
+/// `volume_error_<m>` (reconstructed minus given volume; NaN in cells that took no part). Blocks without cells of a
+/// volume are left out.
+void writeGridErrors(const ReadSimulationResult& read, const std::vector<std::vector<double>>& cellVolumeErrors,
+  vtkPartitionedDataSetCollection* output);
 }

@@ -216,6 +216,7 @@ InputBlock blockOf(vtkDataSet* data, const std::string& name)
 {
   InputBlock block;
   block.name = name;
+  block.data = data;
   block.cellData = data->GetCellData();
   block.pointData = data->GetPointData();
   block.cellCount = data->GetNumberOfCells();
