@@ -85,13 +85,13 @@ def add_filter_of_two(name, port, place):
             + event(f"{INPUTS}/buttonBox/1QPushButton0", "activate") + pause(2.0))
 
 
-def companions():
-    """Every filter that takes a representation; a slice across y stays, seen from its front."""
+def companions(height):
+    """Every filter that takes a representation; a slice across y at this height stays, seen from its front."""
     steps = ""
     for name in ("MaterialContour", "ExtractMaterials", "RepresentedInterfaces"):
         steps += select(*REPRESENTATION) + add_filter(name) + apply() + delete()
     return (steps + select(*REPRESENTATION) + add_filter("MaterialSlice") + event(f"{PLANE}/useYNormal", "activate")
-            + apply() + look_along_y() + pause()
+            + event(f"{PLANE}/originY", "set_string", str(height)) + apply() + look_along_y() + pause()
             + select(*REPRESENTATION) + add_filter_of_two("SampleRepresentation", "Points", (*REPRESENTATION, 0))
             + apply() + delete())
 
@@ -106,11 +106,11 @@ def refined(path, bound):
             + set_number("InterfaceErrorBound", bound) + apply())
 
 
-def all_filters(path, bound, reader=""):
-    """Opens data, the reader's properties set by further events, then every filter in turn."""
+def all_filters(path, bound, height, reader=""):
+    """Opens data, the reader's properties set by further events, then every filter in turn; a slice at a height y."""
     return (open_file(path) + reader + apply() + add_filter("MaterialInterfaces") + apply() + delete() + select(*DATA)
             + add_filter("MultiresolutionTetrahedra") + set_number("InterfaceErrorBound", bound) + apply()
-            + companions())
+            + companions(height))
 
 
 def error_table(path, bound):

@@ -115,9 +115,9 @@ def tours(data, folder):
     """Name -> events, what the hand does when it is time (called until it returns true), what must hold at the end."""
     cth, state, before, after = data / "cth/cth.vtr", *(folder / f"{name}.pvsm" for name in ("cth", "before", "after"))
     return {
-        "cth": (steps.all_filters(cth, 0.5),),
-        "amr": (steps.all_filters(data / "spcth/spcth_t4.vth", 0.2, steps.read_levels(3)),),
-        "openfoam": (steps.all_filters(data / "openfoam/damBreakWithObstacle_t0.30.vtu", 0.02),),
+        "cth": (steps.all_filters(cth, 0.5, 0.0),),
+        "amr": (steps.all_filters(data / "spcth/spcth_t4.vth", 0.2, 32.0, steps.read_levels(3)),),
+        "openfoam": (steps.all_filters(data / "openfoam/damBreakWithObstacle_t0.30.vtu", 0.02, 0.2),),
         "errors": (steps.error_table(cth, 0.5),),
         "sliders": (steps.sliders(cth, 0.5),),
         "plane": (steps.sliced(cth, 0.5, before, after), drag_plane, lambda: plane_has_moved(before, after)),
