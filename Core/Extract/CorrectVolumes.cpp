@@ -222,32 +222,52 @@ private:
   Eigen::VectorXd affordable(const Eigen::VectorXd& dropped, double most) const
   {
     const Eigen::VectorXd steps = rises(volumes_, complex_.cellCount(), dropped);
+    const double limit = most * smallestSize();
+    const double largest = steps.size() > 0 ? steps.maxCoeff() - steps.minCoeff() : 0.0;
+    return largest > limit ? Eigen::VectorXd::Zero(dropped.size()) : dropped;
+  }
+
+  /// Cube root of the smallest cell's volume.
+  double smallestSize() const
+  {
     double smallest = std::numeric_limits<double>::infinity();
     for (std::int32_t c = 0; c < complex_.cellCount(); ++c)
     {
       smallest = std::min(smallest, volumes_[c].total);
     }
-    const double limit = most * std::cbrt(smallest);
-    const double largest = steps.size() > 0 ? steps.maxCoeff() - steps.minCoeff() : 0.0;
-    return largest > limit ? Eigen::VectorXd::Zero(dropped.size()) : dropped;
+    return std::cbrt(smallest);
   }
 
-  /// Raises each material everywhere by what its total volume still lacks, that in `extra` included.
+  /// Raises each material everywhere by what its total volume still lacks, that in `extra` included. A material that
+  /// has hardly any border to move would rise without limit: steps are bounded, and what makes things worse is undone.
   void balanceTotals(const Eigen::VectorXd& extra)
   {
+    const double limit = largestStep * smallestSize();
+    const auto missing = [&] {
+      return (extra + missingVolumes(volumes_, complex_.cellCount(), materialCount_)).eval();
+    };
     double total = 0.0;
     for (std::int32_t c = 0; c < complex_.cellCount(); ++c)
     {
       total += volumes_[c].total;
     }
-    for (int balance = 0; balance < maximumBalances; ++balance)
+    Eigen::VectorXd lacking = missing();
+    for (int balance = 0; balance < maximumBalances && lacking.size() > 0; ++balance)
     {
-      const Eigen::VectorXd missing = extra + missingVolumes(volumes_, complex_.cellCount(), materialCount_);
-      if (missing.size() == 0 || missing.cwiseAbs().maxCoeff() <= totalTolerance * total)
+      const double before = lacking.cwiseAbs().maxCoeff();
+      const Eigen::VectorXd wanted = rises(volumes_, complex_.cellCount(), lacking);
+      if (before <= totalTolerance * total || !wanted.allFinite())
       {
         return;
       }
-      raiseAll(rises(volumes_, complex_.cellCount(), missing));
+      const Eigen::VectorXd steps = wanted.cwiseMax(-limit).cwiseMin(limit);
+      raiseAll(steps);
+      lacking = missing();
+      if (lacking.cwiseAbs().maxCoeff() > before)
+      {
+        raiseAll(-steps);
+        return;
+      }
     }
   }
 
