@@ -4,27 +4,6 @@
 
 namespace strata
 {
-namespace
-{
-/// Adds what a cell's materials lack against their fractions, when they have `given`.
-void addDropped(const std::vector<Share>& shares, double total, const std::vector<Share>& given, Eigen::VectorXd& sum)
-{
-  double fractions = 0.0;
-  for (const Share& share : shares)
-  {
-    fractions += share.value;
-  }
-  for (const Share& share : shares)
-  {
-    sum[share.material] += share.value / fractions * total;
-  }
-  for (const Share& share : given)
-  {
-    sum[share.material] -= share.value;
-  }
-}
-}
-
 Eigen::VectorXd missingVolumes(const CellVolumes& volumes, std::int32_t cellCount, int materialCount)
 {
   Eigen::VectorXd missing = Eigen::VectorXd::Zero(materialCount);
@@ -49,6 +28,7 @@ Eigen::VectorXd droppedVolumes(const CellVolumes& volumes, const MixedRegion& re
   const Fractions& fractions = region.fractions;
   Eigen::VectorXd dropped = Eigen::VectorXd::Zero(fractions.materialCount());
   std::vector<Share> shares;
+  std::vector<Share> targets;
   std::int32_t local = 0;
   for (Index cell = 0; cell < topology.cellCount(); ++cell)
   {
@@ -59,13 +39,18 @@ Eigen::VectorXd droppedVolumes(const CellVolumes& volumes, const MixedRegion& re
     const bool inComplex = local < complex.cellCount() && complex.cells[local] == cell;
     if (!topology.hidden(cell))
     {
-      fractions.ofCell(cell, shares);
-      if (shares.size() > 1)
+      // Cells that are not cut go to their dominant material as a whole.
+      const double total = inComplex ? volumes[local].total : topology.volume(cell);
+      fractions.volumesOfCell(cell, total, shares);
+      for (const Share& share : shares)
       {
-        const double total = inComplex ? volumes[local].total : topology.volume(cell);
-        addDropped(shares, total,
-          inComplex ? volumes[local].targets : std::vector<Share>{ { shares[largest(shares)].material, total } },
-          dropped);
+        dropped[share.material] += share.value;
+      }
+      const std::size_t dominant = largest(shares);
+      targets = inComplex ? volumes[local].targets : std::vector<Share>{ { shares[dominant].material, total } };
+      for (const Share& target : targets)
+      {
+        dropped[target.material] -= target.value;
       }
     }
     local += inComplex ? 1 : 0;

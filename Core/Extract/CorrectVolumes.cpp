@@ -32,7 +32,7 @@ constexpr int maximumBalances = 12;
 /// Largest change of a value, as a part of the cell's size, that makes up for fractions too small for a region.
 constexpr double largestMakeUp = 2e-4;
 /// The same where fractions are smeared: there no single cell is to be right.
-constexpr double largestSmearedMakeUp = 0.1;
+constexpr double largestSmearedMakeUp = 0.25;
 /// Added to a cell's error to weigh its step among those of its neighbours.
 constexpr double leastWeight = 3e-4;
 
@@ -49,16 +49,7 @@ public:
   double run(bool gather)
   {
     update();
-    const SmearedFractions smeared(region_, volumes_, progress_);
-    const double degree = gather ? smeared.degree() : 0.0;
-    if (degree > 0.0)
-    {
-      smeared.clearOffInterface(values_, progress_);
-      start_ = values_.values;
-      std::fill(changed_.begin(), changed_.end(), std::uint8_t{ 1 });
-      update();
-      gatherSmeared(smeared);
-    }
+    const double degree = gather ? gatherSmeared() : 0.0;
     for (int sweep = 0; sweep < maximumSweeps && largestError() >= cellTolerance; ++sweep)
     {
       progress_.update(static_cast<double>(sweep) / maximumSweeps);
@@ -74,18 +65,24 @@ public:
   }
 
 private:
-  /// Lets cells ask for volumes that move the interface as a whole.
-  void gatherSmeared(const SmearedFractions& smeared)
+  /// Where fractions are smeared, lets cells ask for volumes that move the interface as a whole. Returns the degree.
+  double gatherSmeared()
   {
-    std::vector<std::vector<Share>> targets = smeared.targets(progress_);
-    for (std::int32_t c = 0; c < complex_.cellCount(); ++c)
+    const SmearedFractions smeared(region_, volumes_, progress_);
+    if (smeared.degree() > 0.0)
     {
-      if (!targets[c].empty())
+      smeared.clearOffInterface(values_, progress_);
+      start_ = values_.values;
+      std::fill(changed_.begin(), changed_.end(), std::uint8_t{ 1 });
+      update();
+      std::vector<std::vector<Share>> targets = smeared.targets(progress_);
+      for (std::int32_t c = 0; c < complex_.cellCount(); ++c)
       {
         volumes_.replaceTargets(c, std::move(targets[c]));
       }
+      forEach(complex_.cellCount(), progress_, [this](std::int32_t c) { findRequest(c); });
     }
-    forEach(complex_.cellCount(), progress_, [this](std::int32_t c) { findRequest(c); });
+    return smeared.degree();
   }
 
   /// What a cell asks for.
@@ -94,6 +91,7 @@ private:
     std::vector<Share> steps; ///< changes of the materials' values at its vertices
     double error = 0.0;       ///< largest error of a material over the cell's volume
   };
+
   void update()
   {
     volumes_.update(changed_);
@@ -218,13 +216,13 @@ private:
     return largest;
   }
 
-  /// What was dropped, if changes of the values up to `most` of a cell's size can make up for it, else nothing.
+  /// As much of what was dropped as changes of the values up to `most` of a cell's size can make up for.
   Eigen::VectorXd affordable(const Eigen::VectorXd& dropped, double most) const
   {
     const Eigen::VectorXd steps = rises(volumes_, complex_.cellCount(), dropped);
     const double limit = most * smallestSize();
     const double largest = steps.size() > 0 ? steps.maxCoeff() - steps.minCoeff() : 0.0;
-    return largest > limit ? Eigen::VectorXd::Zero(dropped.size()) : dropped;
+    return largest > limit ? (limit / largest * dropped).eval() : dropped;
   }
 
   /// Cube root of the smallest cell's volume.
@@ -255,8 +253,12 @@ private:
     for (int balance = 0; balance < maximumBalances && lacking.size() > 0; ++balance)
     {
       const double before = lacking.cwiseAbs().maxCoeff();
+      if (before <= totalTolerance * total)
+      {
+        return;
+      }
       const Eigen::VectorXd wanted = rises(volumes_, complex_.cellCount(), lacking);
-      if (before <= totalTolerance * total || !wanted.allFinite())
+      if (!wanted.allFinite())
       {
         return;
       }

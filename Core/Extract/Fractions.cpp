@@ -140,6 +140,20 @@ void Fractions::ofCell(Index cell, std::vector<Share>& result) const
   }
 }
 
+void Fractions::volumesOfCell(Index cell, double volume, std::vector<Share>& result) const
+{
+  ofCell(cell, result);
+  double sum = 0.0;
+  for (const Share& share : result)
+  {
+    sum += share.value;
+  }
+  for (Share& share : result)
+  {
+    share.value *= volume / sum;
+  }
+}
+
 void Fractions::ofPoint(Index point, std::vector<Share>& result) const
 {
   std::vector<Index> tuples{ point };

@@ -30,6 +30,8 @@ public:
   int materialCount() const { return static_cast<int>(arrays_.size()); }
   /// The materials of a cell, ascending; for data at points the mean over the cell's corners.
   void ofCell(Index cell, std::vector<Share>& result) const;
+  /// The materials' volumes in a cell of the given volume, which they fill.
+  void volumesOfCell(Index cell, double volume, std::vector<Share>& result) const;
   /// The materials at a grid point, ascending; for data in cells the mean over the visible cells around.
   void ofPoint(Index point, std::vector<Share>& result) const;
 

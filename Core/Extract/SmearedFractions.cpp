@@ -91,7 +91,6 @@ double medianOf(std::vector<double>& values)
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
-
 }
 
 SmearedFractions::SmearedFractions(const MixedRegion& region, const CellVolumes& volumes, Progress& progress) :
@@ -135,16 +134,7 @@ void SmearedFractions::clearOffInterface(MaterialValues& values, Progress& progr
 std::vector<Share> SmearedFractions::given(std::int32_t cell) const
 {
   std::vector<Share> shares;
-  region_.fractions.ofCell(region_.complex.cells[cell], shares);
-  double sum = 0.0;
-  for (const Share& share : shares)
-  {
-    sum += share.value;
-  }
-  for (Share& share : shares)
-  {
-    share.value *= volumes_[cell].total / sum;
-  }
+  region_.fractions.volumesOfCell(region_.complex.cells[cell], volumes_[cell].total, shares);
   return shares;
 }
 

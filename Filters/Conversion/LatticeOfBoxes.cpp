@@ -169,6 +169,10 @@ std::vector<Index> sourcesOf(const std::vector<Index>& owners, const std::vector
 
 void recognizeLattice(InputGrid& input)
 {
+  if (!input.curved.empty())
+  {
+    return;
+  }
   const auto& grid = std::get<UnstructuredGrid>(input.grid);
   const double tolerance = weldTolerance * bounds(input.grid).diagonal();
   for (Index cell = 0; cell < grid.cellCount(); ++cell)
@@ -177,10 +181,6 @@ void recognizeLattice(InputGrid& input)
     {
       return;
     }
-  }
-  if (!input.curved.empty())
-  {
-    return;
   }
   std::optional<Lattice> lattice = LatticeBuilder(grid, tolerance).build();
   if (lattice)

@@ -9,8 +9,7 @@ with STRATA_PLUGIN naming the plugin's library.
 import sys
 from pathlib import Path
 
-import gui_tour
-from gui_drag import play, print_times
+from gui_drag import record
 from gui_steps import MAIN, PLANE, add_filter, apply, event, look_along_y, open_file, pause, set_number
 
 FRAMES = 6
@@ -41,12 +40,7 @@ def session(data):
 
 
 def main(paraview, data, folder):
-    folder = Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
-    gui_tour.REST = 1.0
-    result = play(paraview, session(Path(data)), folder)
-    print_times((folder / "timer.log").read_text().splitlines())
-    return result
+    return record(paraview, session(Path(data)), folder, 1.0)
 
 
 if __name__ == "__main__":

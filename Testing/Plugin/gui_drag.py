@@ -89,13 +89,18 @@ def print_times(lines):
         print(f"{name}: median {statistics.median(times):.0f} ms of " + " ".join(f"{t:.0f}" for t in times))
 
 
-def main(paraview, data, folder):
+def record(paraview, events, folder, rest):
+    """Plays a session and prints its times; the window rests so many seconds before a picture is taken."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    gui_tour.REST = 0.5
-    result = play(paraview, session(Path(data)), folder)
+    gui_tour.REST = rest
+    result = play(paraview, events, folder)
     print_times((folder / "timer.log").read_text().splitlines())
     return result
+
+
+def main(paraview, data, folder):
+    return record(paraview, session(Path(data)), folder, 0.5)
 
 
 if __name__ == "__main__":

@@ -106,6 +106,23 @@ TEST(Extract, SmearedFractionsGiveASmoothSphereOfTheSameVolume)
   EXPECT_GT(each.interfaces.points.size(), 2 * result.interfaces.points.size());
 }
 
+TEST(Extract, SmearedFractionsBesidePureCellsKeepTheTotal)
+{
+  // A layer over cells that hold nothing of it, then cells half full: the border moves into the pure ones.
+  const int n = 16;
+  const auto smeared = [&](const Box& box) {
+    const double x = box.center()[0] * n;
+    const double y = box.center()[1] * n;
+    const double height = 7.3 + 0.5 * std::sin(0.7 * y);
+    const double inside = x < height ? 1.0 : std::max(0.0, 0.45 - 0.1 * (x - height));
+    return std::vector<double>{ inside, 1.0 - inside };
+  };
+  const ExtractedInterfaces result = extract(fractionSimulation(cubeGrid(n), 2, smeared));
+  expectSound(result.interfaces, 2, Box{ Vector::Zero(), Vector::Ones() });
+  EXPECT_GT(result.smearing, 0.0);
+  EXPECT_NEAR(result.volumes[0].reconstructed, result.volumes[0].given, 1e-8);
+}
+
 TEST(Extract, SharpFractionsAreTakenAtTheirWord)
 {
   // A ball and, off it, a sheet that fills no cell.
