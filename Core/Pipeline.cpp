@@ -51,15 +51,14 @@ bool isFitted(const SelectOptions& options)
 struct Multiresolution::State
 {
   std::shared_ptr<const NativeData> native;
-  Interfaces interfaces;
+  std::shared_ptr<PreparedInterfaces> interfaces;
   BuildOptions options;
   std::unique_ptr<HierarchyBuilder> builder;
-  std::unique_ptr<InterfaceTrees> originals; ///< only where interfaces are certified
   KeptLevels fittedLevels{ mostKeptBytes };
 
   const Hierarchy& hierarchy() const { return builder->hierarchy(); }
   bool isCertified() const { return options.nativeElements == NativeElements::Cells; }
-  const InterfaceTrees* certifiedAgainst();
+  const InterfaceTrees* certifiedAgainst() const;
   void grow(Front& front, const Criterion& criterion, double scale, Index maximumNumberOfCells, Progress& progress);
   void split(Front& front, const std::vector<CellId>& cells, Progress& progress);
   Selection select(const SelectOptions& select, Progress& progress);
@@ -75,13 +74,9 @@ struct Multiresolution::State
 };
 
 /// The original interfaces where they are certified, else null.
-const InterfaceTrees* Multiresolution::State::certifiedAgainst()
+const InterfaceTrees* Multiresolution::State::certifiedAgainst() const
 {
-  if (isCertified() && !originals)
-  {
-    originals = std::make_unique<InterfaceTrees>(interfaces);
-  }
-  return originals.get();
+  return isCertified() ? &interfaces->trees() : nullptr;
 }
 
 void Multiresolution::State::grow(
@@ -291,7 +286,12 @@ Mesh Multiresolution::State::emitFitted(const SelectOptions& select, const EmitO
 
 Multiresolution::Multiresolution(
   std::shared_ptr<const NativeData> native, Interfaces interfaces, const BuildOptions& options) :
-  state_(new State{ std::move(native), std::move(interfaces), options, nullptr, nullptr })
+  Multiresolution(std::move(native), std::make_shared<PreparedInterfaces>(std::move(interfaces)), options)
+{}
+
+Multiresolution::Multiresolution(std::shared_ptr<const NativeData> native,
+  std::shared_ptr<PreparedInterfaces> interfaces, const BuildOptions& options) :
+  state_(new State{ std::move(native), std::move(interfaces), options, nullptr })
 {}
 
 Multiresolution::~Multiresolution() = default;
@@ -313,8 +313,8 @@ Mesh Multiresolution::level(const SelectOptions& options, Progress& progress, co
     progress.stage("Refining", 0.0, buildShare);
     if (!state_->builder)
     {
-      state_->builder =
-        std::make_unique<HierarchyBuilder>(state_->native, state_->interfaces, state_->options, progress);
+      state_->builder = std::make_unique<HierarchyBuilder>(state_->native,
+        state_->interfaces->geometry(*state_->native, state_->options.distanceMethod), state_->options, progress);
     }
     Mesh mesh = isFitted(attained) ? state_->emitFitted(attained, emitted, progress)
                                    : state_->emitSelected(attained, emitted, progress);

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "Build/BuildOptions.h"
 #include "Emit/Emit.h"
-#include "Model/Interfaces.h"
 #include "Model/Mesh.h"
 #include "Model/Progress.h"
+#include "PreparedInterfaces.h"
 #include "Select/SelectOptions.h"
 
 #include <memory>
@@ -17,6 +16,9 @@ class Multiresolution
 public:
   /// `native` and `interfaces` are kept; nothing is computed before the first level is asked for.
   Multiresolution(std::shared_ptr<const NativeData> native, Interfaces interfaces, const BuildOptions& options);
+  /// The same, with interfaces that objects for other fields on the same grid may use too, one at a time.
+  Multiresolution(std::shared_ptr<const NativeData> native, std::shared_ptr<PreparedInterfaces> interfaces,
+    const BuildOptions& options);
   ~Multiresolution();
   Multiresolution(Multiresolution&&) noexcept;
   Multiresolution& operator=(Multiresolution&&) noexcept;

@@ -96,23 +96,27 @@ std::uint64_t fingerprintOf(const strata::Simulation& simulation, double minimum
 }
 }
 
-strata::Interfaces KeptInterfaces::get(const strata::conversion::CaseData& input, vtkDataObject* given,
-  const strata::Simulation& simulation, double minimumVolumeFraction, strata::Warnings& warnings,
+std::shared_ptr<strata::PreparedInterfaces> KeptInterfaces::get(const strata::conversion::CaseData& input,
+  vtkDataObject* given, const strata::Simulation& simulation, double minimumVolumeFraction, strata::Warnings& warnings,
   strata::Progress& progress)
 {
+  const auto find = [&](strata::Warnings& said) {
+    return std::make_shared<strata::PreparedInterfaces>(
+      originalInterfaces(input, given, simulation, minimumVolumeFraction, said, progress));
+  };
   if (given || !input.surfaces.empty())
   {
-    isKept_ = false;
-    return originalInterfaces(input, given, simulation, minimumVolumeFraction, warnings, progress);
+    interfaces_.reset();
+    return find(warnings);
   }
   const std::uint64_t fingerprint = fingerprintOf(simulation, minimumVolumeFraction);
-  if (!isKept_ || fingerprint != fingerprint_)
+  if (!interfaces_ || fingerprint != fingerprint_)
   {
-    isKept_ = false;
+    interfaces_.reset();
     warnings_.clear();
-    interfaces_ = originalInterfaces(input, given, simulation, minimumVolumeFraction, warnings_, progress);
+    interfaces_ = find(warnings_);
     fingerprint_ = fingerprint;
-    isKept_ = true;
+    ++extractions_;
   }
   warnings.insert(warnings.end(), warnings_.begin(), warnings_.end());
   return interfaces_;

@@ -89,7 +89,7 @@ bool vtkStrataTetrahedra::Internals::prepare(
   this->warnings = std::move(read.warnings);
   this->deviations = std::move(read.deviations);
   progress.stage("Finding the interfaces", 0.0, 0.0);
-  strata::Interfaces found = this->interfaces.get(
+  std::shared_ptr<strata::PreparedInterfaces> found = this->interfaces.get(
     input, inputs.interfaces, read.simulation, filter.MinimumVolumeFraction, this->warnings, progress);
   progress.stage("Reading the fields", 0.0, 0.0);
   strata::NativeOptions nativeOptions;

@@ -121,6 +121,7 @@ int vtkStrataTetrahedra::RequestData(vtkInformation*, vtkInformationVector** inp
     if (state.prepare(*this, input, progress))
     {
       ++this->NumberOfBuilds;
+      this->NumberOfExtractions = state.interfaces.extractions();
       conversion::warn(this, state.warnings);
     }
     strata::Mesh mesh = state.multiresolution->level(state.selection(*this), progress, state.emission(*this));

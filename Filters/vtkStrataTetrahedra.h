@@ -197,6 +197,8 @@ public:
   vtkGetMacro(Seconds, double);
   /** How often the hierarchy was built anew since the filter was made. */
   vtkGetMacro(NumberOfBuilds, int);
+  /** How often interfaces were extracted since then: builds in which fields alone change share them. */
+  vtkGetMacro(NumberOfExtractions, int);
   ///@}
 
   /** What the numbers of the output's cell array `material` stand for, a line "<number><tab><name>" each. */
@@ -241,6 +243,7 @@ protected:
   bool BoundMet = false;
   double Seconds = 0.0;
   int NumberOfBuilds = 0;
+  int NumberOfExtractions = 0;
 
 private:
   vtkStrataTetrahedra(const vtkStrataTetrahedra&) = delete;

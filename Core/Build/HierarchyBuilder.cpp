@@ -71,8 +71,15 @@ void parallelFor(std::size_t begin, std::size_t end, Progress& progress, const B
 
 HierarchyBuilder::HierarchyBuilder(std::shared_ptr<const NativeData> native, const Interfaces& interfaces,
   const BuildOptions& options, Progress& progress) :
+  HierarchyBuilder(
+    native, std::make_shared<InterfaceGeometry>(interfaces, *native, options.distanceMethod), options, progress)
+{}
+
+HierarchyBuilder::HierarchyBuilder(std::shared_ptr<const NativeData> native,
+  std::shared_ptr<const InterfaceGeometry> interfaces, const BuildOptions& options, Progress& progress) :
   native_(std::move(native)),
-  interfaces_(interfaces), nativeElements_(options.nativeElements), vertexValues_(*native_, interfaces, options)
+  interfaces_(std::move(interfaces)), nativeElements_(options.nativeElements),
+  vertexValues_(*native_, interfaces_, options.ghostMethod)
 {
   hierarchy_.lattice = latticeFor(*native_, options);
   hierarchy_.materials = native_->materials();
@@ -105,7 +112,8 @@ void HierarchyBuilder::fillBaseMesh(Progress& progress)
 {
   growCellArrays();
   evaluateVertices(0, progress);
-  const CellElements all = allElements(*native_, interfaces_, nativeElements_ == NativeElements::Cells, progress);
+  const CellElements all =
+    allElements(*native_, interfaces_->elements, nativeElements_ == NativeElements::Cells, progress);
   const MaterialSet materials = allMaterials(hierarchy_.materials.size());
   parallelFor(0, hierarchy_.cells.size(), progress,
     [&](std::size_t c) { finishCell(CellId(static_cast<Index>(c)), all, materials); });
@@ -194,8 +202,8 @@ void HierarchyBuilder::finishCell(CellId id, const CellElements& candidates, Mat
 {
   const auto c = static_cast<std::size_t>(id.value);
   const Barycentric barycentric(cornerPositions(hierarchy_, id));
-  elements_[c] = elementsWithin(barycentric, candidates, *native_, interfaces_);
-  hierarchy_.cellMaterials[c] = materialsHeld(hierarchy_, id, elements_[c], allowed, *native_, interfaces_);
+  elements_[c] = elementsWithin(barycentric, candidates, *native_, interfaces_->elements);
+  hierarchy_.cellMaterials[c] = materialsHeld(hierarchy_, id, elements_[c], allowed, *native_, interfaces_->elements);
   const CellErrors errors = errorsOf(hierarchy_, id, barycentric, elements_[c]);
   hierarchy_.interfaceErrors[c] = errors.interfaceError;
   std::copy(errors.fieldErrors.begin(), errors.fieldErrors.end(),
@@ -236,10 +244,10 @@ CellRows HierarchyBuilder::rows(CellId cell) const
 {
   const Barycentric barycentric(cornerPositions(hierarchy_, cell));
   const CellElements elements = gatherElements(cell);
-  CellRows rows = cellRows(hierarchy_, cell, barycentric, elements, *native_, interfaces_);
+  CellRows rows = cellRows(hierarchy_, cell, barycentric, elements, *native_, interfaces_->elements);
   if (nativeElements_ == NativeElements::Cells)
   {
-    addClippedCorners(barycentric, elements, interfaces_, rows);
+    addClippedCorners(barycentric, elements, interfaces_->elements, rows);
     addNativeCellPoints(hierarchy_, cell, barycentric, elements, *native_, rows);
   }
   return rows;
@@ -253,15 +261,15 @@ std::vector<InterfacePiece> HierarchyBuilder::interfacePieces(CellId cell) const
   for (std::uint32_t i = 0; i < elements.triangleCount(); ++i)
   {
     const std::uint32_t triangle = elements.triangles()[i];
-    const auto& [a, b, c] = interfaces_.triangles[triangle];
-    const std::vector<Vector>& points = interfaces_.points;
+    const auto& [a, b, c] = interfaces_->elements.triangles[triangle];
+    const std::vector<Vector>& points = interfaces_->elements.points;
     const ClippedTriangle clipped(
       barycentric, { points[static_cast<std::size_t>(a)], points[static_cast<std::size_t>(b)],
                      points[static_cast<std::size_t>(c)] });
     if (!clipped.empty())
     {
-      const auto pair = static_cast<std::size_t>(interfaces_.pairOfTriangle[triangle]);
-      const InterfaceElements::Pair& materials = interfaces_.pairs[pair];
+      const auto pair = static_cast<std::size_t>(interfaces_->elements.pairOfTriangle[triangle]);
+      const InterfaceElements::Pair& materials = interfaces_->elements.pairs[pair];
       pieces.push_back(
         { UnorderedPair::of(materials.positive, materials.negative), { clipped.begin(), clipped.end() } });
     }
@@ -277,11 +285,12 @@ CellErrors HierarchyBuilder::errors(const Hierarchy& values, CellId cell) const
 CellErrors HierarchyBuilder::errorsOf(
   const Hierarchy& values, CellId cell, const Barycentric& barycentric, const CellElements& elements) const
 {
-  CellErrors errors = cellErrors(values, cell, barycentric, elements, *native_, interfaces_);
+  CellErrors errors = cellErrors(values, cell, barycentric, elements, *native_, interfaces_->elements);
   if (nativeElements_ == NativeElements::Cells)
   {
     addNativeCellErrors(values, cell, barycentric, elements, *native_, errors);
-    errors.interfaceError = roundedUp(certifiedInterfaceError(values, cell, barycentric, elements, interfaces_));
+    errors.interfaceError =
+      roundedUp(certifiedInterfaceError(values, cell, barycentric, elements, interfaces_->elements));
   }
   return errors;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "Build/CellElements.h"
 #include "Build/CellErrors.h"
 #include "Build/VertexValues.h"
 #include "Model/CellRows.h"
@@ -20,6 +19,9 @@ public:
   /// Makes the base mesh. Throws InvalidInput for a box without volume and too many materials or base cubes.
   HierarchyBuilder(std::shared_ptr<const NativeData> native, const Interfaces& interfaces, const BuildOptions& options,
     Progress& progress);
+  /// The same with what another build left of the same interfaces; `interfaces` are those of options.distanceMethod.
+  HierarchyBuilder(std::shared_ptr<const NativeData> native, std::shared_ptr<const InterfaceGeometry> interfaces,
+    const BuildOptions& options, Progress& progress);
 
   const Hierarchy& hierarchy() const { return hierarchy_; }
 
@@ -57,7 +59,7 @@ private:
   void growCellArrays();
 
   std::shared_ptr<const NativeData> native_;
-  InterfaceElements interfaces_;
+  std::shared_ptr<const InterfaceGeometry> interfaces_;
   NativeElements nativeElements_;
   VertexValues vertexValues_;
   Hierarchy hierarchy_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Build/RegionBoundary.h"
+#include "Build/InterfaceGeometry.h"
 #include "Model/Hierarchy.h"
 
 namespace strata
@@ -9,7 +9,8 @@ namespace strata
 class VertexValues
 {
 public:
-  VertexValues(const NativeData& native, const Interfaces& interfaces, const BuildOptions& options);
+  /// `native` must outlive the object.
+  VertexValues(const NativeData& native, std::shared_ptr<const InterfaceGeometry> interfaces, GhostMethod ghostMethod);
 
   /// Writes a vertex's values in the layout of Hierarchy::values. Thread-safe.
   void evaluate(const Vector& point, MaterialSet materials, float* result) const;
@@ -17,6 +18,6 @@ public:
 private:
   const NativeData& native_;
   GhostMethod ghostMethod_;
-  std::vector<std::unique_ptr<RegionBoundary>> regions_; ///< one per material
+  std::shared_ptr<const InterfaceGeometry> interfaces_;
 };
 }

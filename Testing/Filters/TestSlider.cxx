@@ -143,27 +143,43 @@ TEST_P(Slider, SlidingGivesTheBytesOfStartingThereAndReadsNothingAgain)
   EXPECT_EQ(slid->GetNumberOfBuilds(), 1);
 }
 
-TEST(KeptInterfaces, OtherFieldsAndOtherFractionsGiveTheBytesOfAFreshFilter)
+TEST(KeptInterfaces, AreExtractedAnewOnlyWhereTheGridOrTheFractionsChange)
 {
   const vtkSmartPointer<vtkImageData> input = twoWaves(8);
   vtkNew<vtkStrataTetrahedra> kept;
   kept->SetInputData(input);
-  const auto expectFresh = [&]() {
-    ASSERT_EQ(update(kept).error, "");
+  const auto extractionsAfter = [&](int nativeElements) {
+    // Whatever was kept, the bytes are those of a filter that has seen nothing else.
     vtkNew<vtkStrataTetrahedra> fresh;
     fresh->SetInputData(input);
-    ASSERT_EQ(update(fresh).error, "");
+    input->Modified();
+    for (vtkStrataTetrahedra* filter : { kept.Get(), fresh.Get() })
+    {
+      filter->SetNativeElements(nativeElements);
+      move(filter, { 0.05, 0.05, 0 });
+      EXPECT_EQ(update(filter).error, "");
+    }
     expectSameBytes(meshOf(kept), meshOf(fresh));
+    return kept->GetNumberOfExtractions();
   };
-  expectFresh();
+  const int points = vtkStrataTetrahedra::POINTS;
+  const int cells = vtkStrataTetrahedra::CELLS;
+  EXPECT_EQ(extractionsAfter(points), 1);
   cellArray(input, "density_left")->SetValue(0, 9.0f);
-  input->Modified();
-  expectFresh();
+  EXPECT_EQ(extractionsAfter(points), 1);
+  EXPECT_EQ(extractionsAfter(cells), 1);
+  cellArray(input, "density_right")->SetValue(7, 30.0f);
+  EXPECT_EQ(extractionsAfter(cells), 1);
+  kept->SetDistanceMethod(vtkStrataTetrahedra::CLOSEST_VERTEX);
+  kept->Update();
+  kept->SetDistanceMethod(vtkStrataTetrahedra::CLOSEST_POINT);
+  EXPECT_EQ(extractionsAfter(points), 1);
   // One cell's material changes sides: the interface does not stay.
   cellArray(input, "volume_fraction_left")->SetValue(0, 0.0f);
   cellArray(input, "volume_fraction_right")->SetValue(0, 1.0f);
-  input->Modified();
-  expectFresh();
+  EXPECT_EQ(extractionsAfter(points), 2);
+  input->SetOrigin(3.0, 0.0, 0.0);
+  EXPECT_EQ(extractionsAfter(points), 3);
 }
 
 TEST(KeptLevels, NothingIsLeftOfFittedLevelsOnceTheInputTheFieldsOrBuildOptionsChange)
