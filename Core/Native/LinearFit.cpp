@@ -12,6 +12,8 @@ namespace
 /// Smallest spread of the samples, relative to the largest, in a direction that gets a gradient; squared,
 /// since a covariance holds squares.
 constexpr double smallestSpread = 1e-3 * 1e-3;
+/// Samples that spread less than this part of their distance from the origin, squared, are one: rounding.
+constexpr double rounding = 1e-12 * 1e-12;
 /// A determinant above this part of the cubed trace excludes small eigenvalues without finding them.
 constexpr double safeDeterminant = 1e-5;
 }
@@ -28,12 +30,20 @@ LinearFit::LinearFit(const FitSamples& samples)
   mean_ /= weightSum_;
 
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  double size2 = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(samples.count); ++i)
   {
+    size2 += samples.weights[i] * samples.offsets[i].squaredNorm();
     const Vector d = samples.offsets[i] - mean_;
     covariance.noalias() += (samples.weights[i] * d) * d.transpose();
   }
   const double trace = covariance.trace();
+  if (trace <= rounding * size2)
+  {
+    inverse_.setZero();
+    rank_ = 0;
+    return;
+  }
   if (covariance.determinant() > safeDeterminant * trace * trace * trace)
   {
     inverse_ = covariance.inverse();

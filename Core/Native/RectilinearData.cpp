@@ -167,7 +167,7 @@ void RectilinearData::interpolate(std::size_t group, MaterialId m, const Vector&
     if (missing[sign] != 0.0)
     {
       const FitPlace place = { nearestPosition(lattice, point), point, sum[sign] / missing[sign], interpolationWeight };
-      addFitRound(group, m, place, result, missing[sign]);
+      addFitRound(group, m, place, 0, missing[sign], result);
     }
   }
 }
@@ -203,16 +203,17 @@ void RectilinearData::extrapolate(
 {
   const Layout& layout = layouts_[group];
   const FitPlace place = { nearestPosition(layout.lattice, closest), closest, point, extrapolationWeight };
-  if (!addFitRound(group, m, place, result))
+  if (!addFitRound(group, m, place, 3, 1.0, result))
   {
+    // The closest point may be some cells away from the samples, and a few of them don't tell all slopes.
     const Index nearest = layout.blocks.nearest(layout.lattice, groups()[group].materials, m, closest);
     const Position position = layout.lattice.position(nearest);
-    addFitRound(group, m, { position, layout.lattice.point(position), point, extrapolationWeight }, result);
+    addFitRound(group, m, { position, layout.lattice.point(position), point, extrapolationWeight }, 0, 1.0, result);
   }
 }
 
 bool RectilinearData::addFitRound(
-  std::size_t group, MaterialId m, const FitPlace& place, double* result, double factor) const
+  std::size_t group, MaterialId m, const FitPlace& place, int smallestRank, double factor, double* result) const
 {
   // In units of the cells, so that stretched ones weigh like cubes.
   const Vector spacing = spacingAt(layouts_[group].lattice, place.center);
@@ -226,7 +227,7 @@ bool RectilinearData::addFitRound(
       continue;
     }
     const LinearFit fit(samples);
-    if (fit.rank() == 3 || radius == wideFitRadius)
+    if (fit.rank() == 3 || (radius == wideFitRadius && fit.rank() >= smallestRank))
     {
       addFit(groups()[group], m, samples, fit, target, factor, result);
       return true;

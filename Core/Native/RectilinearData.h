@@ -49,8 +49,10 @@ private:
   void average(std::size_t group, MaterialId m, const Vector& point, double* result) const;
   /// Linear extrapolation from m's samples near `closest`.
   void extrapolate(std::size_t group, MaterialId m, const Vector& point, const Vector& closest, double* result) const;
-  /// Adds `factor` times the linear fit to m's samples in a block. False where there are none.
-  bool addFitRound(std::size_t group, MaterialId m, const FitPlace& place, double* result, double factor = 1.0) const;
+  /// Adds `factor` times the linear fit to m's samples in a block. False, without a change, where there are none or
+  /// where they spread in fewer directions than asked for.
+  bool addFitRound(
+    std::size_t group, MaterialId m, const FitPlace& place, int smallestRank, double factor, double* result) const;
   void collect(std::size_t group, MaterialId m, const FitPlace& place, const Vector& spacing, Index radius,
     FitSamples& samples) const;
 

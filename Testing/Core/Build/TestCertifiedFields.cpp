@@ -206,6 +206,7 @@ TEST_P(CertifiedFieldsOn, NoPointExceedsTheBoundAndTheBoundIsTight)
       ++count;
     }
   }
+  RecordProperty("MeanOfBoundOverSeen", std::to_string(sumOfRatios / count));
   EXPECT_GT(count, 30);
   EXPECT_LE(sumOfRatios / count, GetParam().factor);
   // A bound one per cent lower would be exceeded.

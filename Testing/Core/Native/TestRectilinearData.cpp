@@ -1,5 +1,7 @@
 #include "SampledSimulations.h"
 
+#include "Native/LinearFit.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -153,6 +155,43 @@ TEST(RectilinearData, ExtrapolatesFromTheNearestSamplesOfASmallMaterial)
   EXPECT_EQ(valueAt(*data, rod, Vector(1, 1, 1), false, Vector(0.03, 0.03, 0.03)), 7.0);
   EXPECT_EQ(valueAt(*data, rod, Vector(1, 1, 1), false, Vector(0.9, 0.9, 0.9)), 7.0);
   EXPECT_EQ(valueAt(*data, rod, Vector(1, 1, 1), false, Vector(0.9, 0.9, 0.9), GhostMethod::Constant), 7.0);
+}
+
+TEST(RectilinearData, ContinuesALinearFieldWhoseNearestSamplesAreAFewCellsAway)
+{
+  // The interface's closest point is at the corner of the box, three cells from the rod's first sample.
+  std::mt19937 random(3);
+  const Function field = randomLinear(random);
+  const auto data = read(twoMaterials(
+    boxGrid(16, 16, 16), [](const Vector& p) { return p.y() - p.x() - p.z() < 0.15 ? 1.0 : 0.0; }, field));
+  for (const double y : { 0.0, 0.01, 0.05, 0.1 })
+  {
+    const Vector point(0.0, y, 0.0);
+    EXPECT_NEAR(valueAt(*data, rod, point, false, Vector(0.0, 0.1, 0.0)), field(rod, point), 1e-10) << y;
+    EXPECT_NEAR(valueAt(*data, rod, point, false, point), field(rod, point), 1e-10) << y;
+  }
+}
+
+TEST(LinearFit, ToOneSampleIsConstantWhateverItsOffsetAndWeight)
+{
+  std::mt19937 random(1);
+  for (int trial = 0; trial < 1000; ++trial)
+  {
+    FitSamples samples;
+    samples.add(0, 3.0 * randomPoint(random, -1.0, 1.0), randomPoint(random, 0.01, 1.0).x());
+    // The same sample twice is no more.
+    samples.add(0, samples.offsets[0], randomPoint(random, 0.01, 1.0).y());
+    for (const int count : { 1, 2 })
+    {
+      samples.count = count;
+      const LinearFit fit(samples);
+      EXPECT_EQ(0, fit.rank());
+      std::array<double, 2> coefficients{};
+      fit.coefficients(samples, randomPoint(random, -3.0, 3.0), coefficients.data());
+      EXPECT_NEAR(1.0, coefficients[0] + coefficients[1], 1e-12);
+      EXPECT_GE(coefficients[0], 0.0);
+    }
+  }
 }
 
 TEST(RectilinearData, HasNoValueForAMaterialWithoutSamples)
