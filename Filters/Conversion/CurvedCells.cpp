@@ -215,6 +215,7 @@ Eigen::MatrixXd differences(vtkCell* cell, const CurvedPattern& pattern, const C
 
 void addDeviation(vtkCell* cell, const ShapeLattice& lattice, int degree, CurvedPattern& pattern)
 {
+  pattern.deviationDegree = degree;
   for (const CurvedPattern::Piece& piece : pattern.pieces)
   {
     Eigen::MatrixXd rows = differences(cell, pattern, piece, lattice, degree);
@@ -229,10 +230,7 @@ void addDeviation(vtkCell* cell, const ShapeLattice& lattice, int degree, Curved
           coefficient.emplace_back(static_cast<int>(node), rows(row, node));
         }
       }
-      if (!coefficient.empty())
-      {
-        pattern.deviation.push_back(std::move(coefficient));
-      }
+      pattern.deviation.push_back(std::move(coefficient));
     }
   }
 }

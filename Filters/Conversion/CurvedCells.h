@@ -3,7 +3,6 @@
 #include "Geometry/Vector.h"
 #include "Model/Grid.h"
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <tuple>
@@ -33,9 +32,10 @@ struct CurvedPattern
   std::vector<Piece> pieces;
   /// The points of `points` in the straight cell between the corners: weights of its first nodes.
   std::vector<NodeWeights> straight;
-  /// Weights of the nodes in the Bernstein coefficients of (the cell's function minus the pieces' functions) over
-  /// all pieces: no deviation of a place or a field is larger than the largest of these coefficients. Empty where the
-  /// functions are no polynomials: pyramids, Bezier cells with rational weights.
+  /// Weights of the nodes in the Bernstein coefficients of the cell's function minus the piece's, for one piece after
+  /// the other: (deviationDegree + 1)^3 of a cube of which the piece is a (maybe collapsed) image, the first axis
+  /// fastest. Empty where the functions are no polynomials: pyramids, Bezier cells with rational weights.
+  int deviationDegree = 0;
   std::vector<NodeWeights> deviation;
 };
 
@@ -57,22 +57,4 @@ private:
   /// By type, number of points and, where cells differ in more than these, cell.
   std::map<std::tuple<int, Index, Index>, std::shared_ptr<const CurvedPattern>> patterns_;
 };
-
-/// The largest distance between the pieces' places (or values) and the cell's own: the longest Bernstein coefficient;
-/// `valueOf` gives a node's vector.
-template<typename ValueOf>
-double deviationBound(const CurvedPattern& pattern, const ValueOf& valueOf)
-{
-  double largest = 0.0;
-  for (const NodeWeights& coefficient : pattern.deviation)
-  {
-    Vector sum = Vector::Zero();
-    for (const auto& [node, weight] : coefficient)
-    {
-      sum += weight * valueOf(node);
-    }
-    largest = std::max(largest, sum.norm());
-  }
-  return largest;
-}
 }

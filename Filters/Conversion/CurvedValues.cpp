@@ -1,5 +1,6 @@
 #include "Conversion/CurvedValues.h"
 
+#include "Conversion/CurvedDeviation.h"
 #include "Conversion/ValueConversion.h"
 
 #include <algorithm>
@@ -91,24 +92,20 @@ CurvedValues curvedValues(const InputGrid& input, const BlockArrays& arrays,
 
 double curvedDeviation(const InputGrid& input, const BlockArrays& arrays)
 {
-  double largest = 0.0;
+  CurvedDeviation deviation(arrays.components);
+  std::vector<double> values;
   for (const CurvedCell& cell : input.curved)
   {
-    for (const NodeWeights& coefficient : cell.pattern->deviation)
+    values.clear();
+    for (const Index node : cell.nodes)
     {
-      double squares = 0.0;
       for (int c = 0; c < arrays.components; ++c)
       {
-        double sum = 0.0;
-        for (const auto& [node, weight] : coefficient)
-        {
-          sum += weight * valueAt(input, arrays, cell.nodes[static_cast<std::size_t>(node)], c);
-        }
-        squares += sum * sum;
+        values.push_back(valueAt(input, arrays, node, c));
       }
-      largest = std::max(largest, std::sqrt(squares));
     }
+    deviation.add(*cell.pattern, values);
   }
-  return largest;
+  return deviation.bound();
 }
 }

@@ -1,6 +1,7 @@
 #include "Conversion/UnstructuredBuilder.h"
 
 #include "Conversion/CheckCells.h"
+#include "Conversion/CurvedDeviation.h"
 #include "Conversion/LatticeOfBoxes.h"
 #include "Conversion/Weld.h"
 
@@ -158,12 +159,19 @@ void UnstructuredBuilder::resolveBlends(InputGrid& result)
     }
     grid_.points.push_back(place);
   }
+  CurvedDeviation deviation(3);
+  std::vector<double> places;
   for (const CurvedCell& cell : curved_)
   {
-    result.placeDeviation = std::max(result.placeDeviation, deviationBound(*cell.pattern, [&](int node) {
-      return grid_.points[static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(node)])];
-    }));
+    places.clear();
+    for (const Index node : cell.nodes)
+    {
+      const Vector& place = grid_.points[static_cast<std::size_t>(node)];
+      places.insert(places.end(), place.begin(), place.end());
+    }
+    deviation.add(*cell.pattern, places);
   }
+  result.placeDeviation = deviation.bound();
   result.cornerSource = grid_.corners;
   result.blends = std::move(blends_);
   result.curved = std::move(curved_);
