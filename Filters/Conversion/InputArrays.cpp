@@ -41,6 +41,11 @@ vtkDataArray* arrayOf(const InputBlock& block, Association association, const st
   return array;
 }
 
+bool isFloating(vtkDataArray* array)
+{
+  return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+}
+
 const std::vector<Index>& sources(const InputGrid& input, Association association)
 {
   return association == Association::Cells ? input.cellSource : input.pointSource;
@@ -120,9 +125,8 @@ std::vector<ArrayInfo> arraysOf(const InputGrid& input, Association association)
       vtkDataArray* array = data->GetArray(i);
       if (array && array->GetName() && !find(result, array->GetName()))
       {
-        const int type = array->GetDataType();
-        result.push_back({ array->GetName(), array->GetNumberOfComponents(), type == VTK_FLOAT || type == VTK_DOUBLE,
-          type == VTK_UNSIGNED_CHAR });
+        result.push_back({ array->GetName(), array->GetNumberOfComponents(), isFloating(array),
+          array->GetDataType() == VTK_UNSIGNED_CHAR });
       }
     }
   }
@@ -195,7 +199,14 @@ std::vector<std::int64_t> integers(const InputGrid& input, const std::string& ce
   std::vector<std::vector<std::int64_t>> parts;
   for (const InputBlock& block : input.blocks)
   {
-    parts.push_back(integersOf(arrayOf(block, Association::Cells, cellArray)));
+    vtkDataArray* array = arrayOf(block, Association::Cells, cellArray);
+    if (isFloating(array) || array->GetNumberOfComponents() != 1)
+    {
+      throw InvalidInput("The array '" + cellArray + "'" + block.name + " holds " +
+                         std::to_string(array->GetNumberOfComponents()) + " " + array->GetDataTypeAsString() +
+                         " per cell; it must have one integer per cell");
+    }
+    parts.push_back(integersOf(array));
   }
   if (input.cellSource.empty())
   {
@@ -205,6 +216,14 @@ std::vector<std::int64_t> integers(const InputGrid& input, const std::string& ce
   forEachSource(input, Association::Cells,
     [&](std::size_t block, Index from, std::size_t to) { result[to] = parts[block][static_cast<std::size_t>(from)]; });
   return result;
+}
+
+std::string integerAt(const InputGrid& input, const std::string& cellArray, Index cell)
+{
+  const InputBlock& block = blockOfCell(input, cell);
+  return arrayOf(block, Association::Cells, cellArray)
+    ->GetVariantValue(sourceOfCell(input, cell) - block.cellOffset)
+    .ToString();
 }
 
 std::vector<std::size_t> blocksOfCells(const InputGrid& input)

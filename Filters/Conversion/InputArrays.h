@@ -45,8 +45,11 @@ double valueAt(const InputGrid& input, const BlockArrays& arrays, Index point, i
 /// and there is a warning that names the block.
 ValueArray values(const InputGrid& input, Association association, const std::string& name, Warnings* gaps = nullptr);
 
-/// The same for integers (one component).
+/// The same for integers, one per cell. Throws InvalidInput for arrays of another kind.
 std::vector<std::int64_t> integers(const InputGrid& input, const std::string& cellArray);
+
+/// The value that a cell has in such an array, as a text: that of an unsigned one may be too large for `integers`.
+std::string integerAt(const InputGrid& input, const std::string& cellArray, Index cell);
 
 /// The number of the block that each cell of the grid is in.
 std::vector<std::size_t> blocksOfCells(const InputGrid& input);

@@ -135,13 +135,22 @@ void addBlock(UnstructuredBuilder& builder, const NamedData& block)
 }
 }
 
+Index sourceOfCell(const InputGrid& input, Index cell)
+{
+  return input.cellSource.empty() ? cell : input.cellSource[static_cast<std::size_t>(cell)];
+}
+
+const InputBlock& blockOfCell(const InputGrid& input, Index cell)
+{
+  const auto after = std::upper_bound(input.blocks.begin(), input.blocks.end(), sourceOfCell(input, cell),
+    [](Index position, const InputBlock& block) { return position < block.cellOffset; });
+  return *std::prev(after);
+}
+
 std::string describeCell(const InputGrid& input, Index cell)
 {
-  const Index source = input.cellSource.empty() ? cell : input.cellSource[static_cast<std::size_t>(cell)];
-  const auto after = std::upper_bound(input.blocks.begin(), input.blocks.end(), source,
-    [](Index position, const InputBlock& block) { return position < block.cellOffset; });
-  const InputBlock& block = *std::prev(after);
-  return "cell " + std::to_string(source - block.cellOffset) + block.name;
+  const InputBlock& block = blockOfCell(input, cell);
+  return "cell " + std::to_string(sourceOfCell(input, cell) - block.cellOffset) + block.name;
 }
 
 InputGrid readGrid(vtkDataObject* data)

@@ -67,6 +67,9 @@ struct InputGrid
   Warnings warnings;
 };
 
+/// A cell of the grid in the concatenation of the blocks' cells, and its block.
+Index sourceOfCell(const InputGrid& input, Index cell);
+const InputBlock& blockOfCell(const InputGrid& input, Index cell);
 /// "cell 12 of block 'left'": a cell of the grid by the number that the user knows.
 std::string describeCell(const InputGrid& input, Index cell);
 

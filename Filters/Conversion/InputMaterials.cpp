@@ -193,15 +193,10 @@ void readFractions(const InputGrid& input, const FractionArrays& arrays, const S
 void readIds(const InputGrid& input, const std::string& name, Simulation& simulation)
 {
   const auto arrays = arraysOf(input, Association::Cells);
-  const ArrayInfo* info = find(arrays, name);
-  if (!info)
+  if (!find(arrays, name))
   {
     throw InvalidInput(
       "The cell array '" + name + "' of material ids is missing. Cell arrays: " + listed(namesOf(arrays)));
-  }
-  if (info->floating || info->components != 1)
-  {
-    throw InvalidInput("The array '" + name + "' can't hold material ids: it must have one integer per cell");
   }
   const std::vector<std::int64_t> ids = integers(input, name);
   const auto& hidden = hiddenOf(input);
@@ -215,7 +210,8 @@ void readIds(const InputGrid& input, const std::string& name, Simulation& simula
     if (ids[cell] < 0)
     {
       throw InvalidInput("The material id of " + describeCell(input, static_cast<Index>(cell)) + " is " +
-                         std::to_string(ids[cell]) + "; ids must not be negative");
+                         integerAt(input, name, static_cast<Index>(cell)) + "; ids must be from 0 to " +
+                         std::to_string(std::numeric_limits<std::int64_t>::max()));
     }
     places.emplace(ids[cell], 0);
     if (places.size() > static_cast<std::size_t>(MaterialSet::capacity))
@@ -245,8 +241,17 @@ void readIds(const InputGrid& input, const std::string& name, Simulation& simula
   }
 }
 
-void useOneMaterial(const InputGrid& input, Simulation& simulation)
+/// For data that say nothing of materials.
+void useOneMaterial(const InputGrid& input, Simulation& simulation, Warnings& warnings)
 {
+  for (const ArrayInfo& array : arraysOf(input, Association::Cells))
+  {
+    if (isMaterialIdName(array.name))
+    {
+      warnings.push_back("The cell array '" + array.name + "' can't hold material ids, for which there must be one " +
+                         "integer per cell: all cells are taken as one material");
+    }
+  }
   simulation.materials = { { "material", true } };
   simulation.materialIds.assign(static_cast<std::size_t>(cellCount(input.grid)), 0);
 }
@@ -345,7 +350,7 @@ MaterialRoles readMaterials(const InputGrid& input, const CaseDescription& descr
   }
   else
   {
-    useOneMaterial(input, simulation);
+    useOneMaterial(input, simulation, warnings);
   }
   addOutside(input, simulation);
   if (simulation.materials.size() > static_cast<std::size_t>(MaterialSet::capacity))

@@ -7,9 +7,10 @@ import sys
 import numpy
 import strata
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkIdList, vtkOutputWindow, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
-    VTK_HEXAHEDRON, VTK_LAGRANGE_HEXAHEDRON, VTK_QUADRATIC_TETRA, VTK_TETRA, vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkUnstructuredGrid)
+    VTK_HEXAHEDRON, VTK_LAGRANGE_HEXAHEDRON, VTK_POLYHEDRON, VTK_QUADRATIC_TETRA, VTK_TETRA, vtkCellArray, vtkImageData,
+    vtkMultiBlockDataSet, vtkRectilinearGrid, vtkStructuredGrid, vtkUnstructuredGrid)
 
 CUBE = numpy.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)], float)
 
@@ -119,6 +120,56 @@ def without(data, name):
     return data
 
 
+def bare(origin):
+    data = image(4, origin)
+    data.GetCellData().Initialize()
+    return data
+
+
+def with_fractions(origin):
+    upper = numpy.arange(64) >= 32
+    data = without(image(4, origin), "material")
+    add(data, "vf_a", 1.0 - upper)
+    add(data, "vf_b", 1.0 * upper)
+    return data
+
+
+def rectilinear(y):
+    data = vtkRectilinearGrid()
+    data.SetDimensions(5, 5, 5)
+    data.SetXCoordinates(numpy_to_vtk(numpy.arange(5.0), deep=True))
+    data.SetYCoordinates(numpy_to_vtk(numpy.array(y, float), deep=True))
+    data.SetZCoordinates(numpy_to_vtk(numpy.arange(5.0), deep=True))
+    return data
+
+
+def degenerate_curvilinear():
+    """Two cells side by side, the first without extent along x."""
+    data = vtkStructuredGrid()
+    data.SetDimensions(3, 2, 2)
+    points = vtkPoints()
+    for z in (0, 1):
+        for y in (0, 1):
+            for x in (1, 1, 2):
+                points.InsertNextPoint(x, y, z)
+    data.SetPoints(points)
+    return data
+
+
+def polyhedron(last_face):
+    """A cube as a polyhedron with a face to choose."""
+    data = vtkUnstructuredGrid()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(CUBE, deep=True))
+    data.SetPoints(points)
+    faces = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), last_face]
+    stream = vtkIdList()
+    for number in [len(faces)] + [entry for face in faces for entry in (len(face), *face)]:
+        stream.InsertNextId(number)
+    data.InsertNextCell(VTK_POLYHEDRON, stream)
+    return data
+
+
 def one(position, value, others):
     values = numpy.full(64, others, float)
     values[position] = value
@@ -142,12 +193,33 @@ REFUSED = {
         lambda: grid(bent_tetrahedron(3.0), [numpy.arange(10)], VTK_QUADRATIC_TETRA), ["cell 0", "volume"]),
     "spacing 0": (lambda: stretched(0.0), ["along y", "spacing"]),
     "spacing NaN": (lambda: stretched(NAN), ["along y", "nan"]),
+    "spacing infinite": (lambda: stretched(INFINITY), ["along y", "nan"]),
+    "coordinates that repeat": (lambda: rectilinear([0, 1, 1, 3, 4]), ["along y", "number 2 is 1 after 1"]),
+    "coordinates that descend": (lambda: rectilinear([0, 1, 0.5, 3, 4]), ["along y", "number 2 is 0.5 after 1"]),
+    "coordinate NaN": (lambda: rectilinear([0, 1, NAN, 3, 4]), ["along y", "number 2 is nan after 1"]),
+    "face beyond the points": (lambda: polyhedron((3, 0, 4, 99)), ["Cell 0", "point 99"]),
+    "face below the points": (lambda: polyhedron((3, 0, 4, -5)), ["Cell 0", "point -5"]),
+    "face of two points": (lambda: polyhedron((3, 0)), ["Polyhedron 0", "faces"]),
+    "cell without points": (lambda: grid(numpy.zeros((0, 3)), [numpy.arange(8)], VTK_HEXAHEDRON),
+                            ["Cell 0", "point 0"]),
+    "id beyond 64-bit integers": (
+        lambda: image(ids=numpy.array([1] * 5 + [2 ** 64 - 3] + [1] * 58, numpy.uint64)),
+        ["cell 5", str(2 ** 64 - 3)]),
+    "block whose ids are no integers": (
+        lambda: collection([image(), image(4, 1.0, one(5, NAN, 1.0))]), ["material", "block '2'", "double"]),
+    "block with three ids per cell": (
+        lambda: collection([image(), image(4, 1.0, numpy.ones((64, 3), int))]), ["material", "block '2'", "holds 3"]),
     "negative id": (lambda: image(ids=numpy.arange(64) - 7), ["cell 0", "-7"]),
     "density NaN": (lambda: image(density=one(17, NAN, 1.0)), ["density", "cell 17", "nan"]),
     "density infinite": (lambda: image(density=one(17, INFINITY, 1.0)), ["density", "cell 17", "inf"]),
     "65 materials": (lambda: image(5, ids=numpy.arange(125)), ["64 materials"]),
     "fraction of 3": (lambda: fractions([one(5, 3.0, 0.5), one(5, -2.0, 0.5)]), ["cell 5", "3"]),
     "fraction NaN": (lambda: fractions([one(5, NAN, 0.5), one(5, 0.5, 0.5)]), ["cell 5", "nan"]),
+    "negative fraction": (lambda: fractions([one(5, -0.4, 0.5), one(5, 1.4, 0.5)]), ["cell 5", "-0.4"]),
+    "fraction infinite": (lambda: fractions([one(5, INFINITY, 0.5), one(5, 0.5, 0.5)]), ["cell 5", "inf"]),
+    "block without arrays": (lambda: collection([image(), bare(1.0)]), ["material", "block '2'", "missing"]),
+    "block without fractions": (
+        lambda: collection([with_fractions(0.0), bare(1.0)]), ["vf_a", "block '2'", "missing"]),
     "block without ids": (lambda: collection([image(), without(image(4, 1.0), "material")]),
                           ["material", "block '2'", "missing"]),
     "no blocks": (lambda: collection([]), ["no visible cells"]),
@@ -160,6 +232,10 @@ USED = {
                         ["material"]),
     "duplicate cells": (lambda: two_cubes(second=range(8)), ["cell 1 has the corners of cell 0", "left out"],
                         ["material"]),
+    "degenerate curvilinear cell": (degenerate_curvilinear, ["cell 0", "volume", "degenerate", "without volume: 1"], ["material"]),
+    "open polyhedron": (lambda: polyhedron((3, 0, 4)), ["Cell 0", "no closed polyhedron"], ["material"]),
+    "ids that are no integers": (
+        lambda: image(ids=one(5, 1.5, 1.0)), ["material", "integer per cell"], ["material"]),
     "64-bit ids": (lambda: image(ids=numpy.where(numpy.arange(64) < 32, 2 ** 40, 2 ** 62)), [],
                    [f"Material {2 ** 40}", f"Material {2 ** 62}"]),
     "empty blocks": (lambda: collection([vtkUnstructuredGrid(), image(), None, vtkImageData()]), [],
