@@ -85,13 +85,14 @@ void InterfaceCertificate::measure(const Hierarchy& values, Level& level, Progre
 
 bool InterfaceCertificate::mayHaveSupported(const InterfaceTrees& surfaces, const Record& record)
 {
+  // What is farther than the error counted for no point of the pieces.
+  const double reach = record.radius + std::min(record.limit, record.originalError);
   UnorderedPair last;
   for (const InterfacePiece& piece : record.original)
   {
     const TriangleTree* surface = surfaces.between(piece.materials);
     const bool isNext = last < piece.materials || piece.materials < last;
     last = piece.materials;
-    const double reach = record.radius + record.limit;
     if (surface && isNext && surface->closest(record.center, reach * reach).triangle >= 0)
     {
       return true;

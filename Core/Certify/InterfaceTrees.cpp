@@ -19,7 +19,19 @@ InterfaceTrees::InterfaceTrees(const Interfaces& interfaces)
 
 InterfaceTrees::InterfaceTrees(const std::vector<const std::vector<InterfacePiece>*>& pieces)
 {
+  std::map<UnorderedPair, std::size_t> corners;
+  for (const std::vector<InterfacePiece>* list : pieces)
+  {
+    for (const InterfacePiece& piece : *list)
+    {
+      corners[piece.materials] += piece.corners.size();
+    }
+  }
   std::map<UnorderedPair, Triangles> triangles;
+  for (const auto& [materials, count] : corners)
+  {
+    triangles[materials].reserve(count);
+  }
   for (const std::vector<InterfacePiece>* list : pieces)
   {
     for (const InterfacePiece& piece : *list)

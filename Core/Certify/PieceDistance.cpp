@@ -12,6 +12,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// How close an upper bound has to come to the truth, in units of the limit: below it, and at it.
 constexpr double coarseTolerance = 0.1;
 constexpr double fineTolerance = 1e-3;
+/// In units of the limit: upper bounds below this are taken as they are.
+constexpr double smallBound = 0.25;
+/// From any point of a triangle to the nearest corner it is at most this part of the longest edge: 1 / sqrt(3).
+constexpr double wayToCorner = 0.57735026918962585;
 /// In units of the largest coordinate times the machine's epsilon.
 constexpr double roundingUnits = 16.0;
 
@@ -106,12 +110,12 @@ private:
     return best;
   }
 
-  /// Takes an upper bound for good if it is close enough to a distance that was seen; else bounds taken one after the
-  /// other would drift away from the truth.
+  /// Takes an upper bound for good if it is small or close enough to a distance that was seen; else bounds taken one
+  /// after the other would drift away from the truth.
   bool settles(double upper)
   {
     const double tolerance = upper <= limit_ ? coarseTolerance : fineTolerance;
-    const bool enough = upper <= std::max(settled_, lower_ + tolerance * limit_);
+    const bool enough = upper <= std::max({ settled_, smallBound * limit_, lower_ + tolerance * limit_ });
     settled_ = enough ? std::max(settled_, upper) : settled_;
     return enough;
   }
@@ -127,7 +131,8 @@ private:
       const std::size_t end = (start + 1) % 3;
       const double length = (piece[end].point - piece[start].point).norm();
       // The distance to the whole surface grows no faster than the way from a corner.
-      const double nearby = std::max({ piece[0].distance, piece[1].distance, piece[2].distance }) + length;
+      const double nearby =
+        std::max({ piece[0].distance, piece[1].distance, piece[2].distance }) + wayToCorner * length;
       if (settles(std::min(nearestBound(piece.data(), 3), nearby)) || length <= rounding_)
       {
         continue;

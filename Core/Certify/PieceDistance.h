@@ -4,10 +4,11 @@
 
 namespace strata
 {
-/// The largest distance from a point of some polygons to the surfaces between their materials: an upper bound,
-/// not above the truth by more than a tenth of `limit` and, if the truth is not above `limit`, not above it either
-/// but for a thousandth. As soon as a point is seen to be farther than `limit`, it is the distance of such a point.
-/// Infinite for a polygon whose materials have no surface. `rounding` is added: that of one distance.
+/// The largest distance from a point of some polygons to the surfaces between their materials: an upper bound. Where
+/// it is above a quarter of `limit` it is not above the truth by more than a tenth of `limit` and, if the truth is not
+/// above `limit`, not above it either but for a thousandth. As soon as a point is seen to be farther than `limit`, it
+/// is the distance of such a point. Infinite for a polygon whose materials have no surface. `rounding` is added: that
+/// of one distance.
 double largestDistance(
   const std::vector<InterfacePiece>& pieces, const InterfaceTrees& surfaces, double limit, double rounding);
 

@@ -1,6 +1,6 @@
 #include "Geometry/ClosestPoint.h"
 
-#include <algorithm>
+#include <limits>
 
 namespace strata
 {
@@ -23,16 +23,28 @@ ClosestPoint closestOnEdge(
   return { a + t * ab, startEndEdge[2] };
 }
 
-/// For triangles without an area: the best of the three edges.
-ClosestPoint closestOnEdges(const Vector& p, const std::array<Vector, 3>& t)
+/// The best of the edges that are asked for: the first joins corners 0 and 1.
+ClosestPoint closestOnEdges(const Vector& p, const std::array<Vector, 3>& t, const std::array<bool, 3>& edges)
 {
   using F = TriangleFeature;
-  const std::array<ClosestPoint, 3> candidates = { closestOnEdge(p, t[0], t[1], { F::Corner0, F::Corner1, F::Edge01 }),
-    closestOnEdge(p, t[1], t[2], { F::Corner1, F::Corner2, F::Edge12 }),
-    closestOnEdge(p, t[2], t[0], { F::Corner2, F::Corner0, F::Edge20 }) };
-  return *std::min_element(candidates.begin(), candidates.end(), [&p](const ClosestPoint& a, const ClosestPoint& b) {
-    return (a.point - p).squaredNorm() < (b.point - p).squaredNorm();
-  });
+  constexpr std::array<std::array<F, 3>, 3> features = { { { F::Corner0, F::Corner1, F::Edge01 },
+    { F::Corner1, F::Corner2, F::Edge12 }, { F::Corner2, F::Corner0, F::Edge20 } } };
+  ClosestPoint best;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    if (edges[i])
+    {
+      const ClosestPoint candidate = closestOnEdge(p, t[i], t[(i + 1) % 3], features[i]);
+      const double d2 = (candidate.point - p).squaredNorm();
+      if (!(d2 >= smallest))
+      {
+        smallest = d2;
+        best = candidate;
+      }
+    }
+  }
+  return best;
 }
 }
 
@@ -66,9 +78,13 @@ ClosestPoint closestPointOnTriangle(const Vector& p, const std::array<Vector, 3>
   const double vb = d5 * d2 - d1 * d6;
   const double vc = d1 * d4 - d3 * d2;
   const double sum = va + vb + vc;
-  if (va <= 0.0 || vb <= 0.0 || vc <= 0.0 || !(sum > 0.0))
+  if (!(sum > 0.0))
   {
-    return closestOnEdges(p, triangle);
+    return closestOnEdges(p, triangle, { true, true, true });
+  }
+  if (va <= 0.0 || vb <= 0.0 || vc <= 0.0)
+  {
+    return closestOnEdges(p, triangle, { vc <= 0.0, va <= 0.0, vb <= 0.0 });
   }
   return { a + ab * (vb / sum) + ac * (vc / sum), TriangleFeature::Face };
 }

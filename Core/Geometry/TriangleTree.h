@@ -31,17 +31,33 @@ public:
   Hit closest(const Vector& p, double maximumSquaredDistance = std::numeric_limits<double>::infinity()) const;
 
 private:
-  /// Inner nodes have their first child right behind them and `second` as the other; leaves have count > 0.
+  /// Boxes of up to four children side by side, [axis][child], for the processor to deal with together. A child is a
+  /// node or, as the complement of its number, a triangle.
   struct Node
   {
-    Box box;
-    std::int32_t second = 0;
-    std::int32_t first = 0;
+    std::array<Eigen::Array4d, 3> lower;
+    std::array<Eigen::Array4d, 3> upper;
+    std::array<std::int32_t, 4> child{};
     std::int32_t count = 0;
+
+    void add(std::int32_t newChild, const Box& box);
+    /// From a point to the boxes; 0 inside.
+    Eigen::Array4d squaredDistances(const Vector& p) const;
   };
 
-  void build(std::int32_t id, std::int32_t begin, std::int32_t end, const std::vector<Vector>& centers);
-  void searchLeaf(const Node& node, const Vector& p, Hit& best) const;
+  /// Part of the triangles in the order of the tree.
+  struct Range
+  {
+    std::int32_t begin = 0;
+    std::int32_t end = 0;
+
+    std::int32_t count() const { return end - begin; }
+  };
+
+  Box buildLeaf(Node& node, Range range);
+  Box build(std::int32_t id, Range range, const std::vector<Vector>& centers);
+  std::array<Range, 2> halves(Range range, const std::vector<Vector>& centers);
+  void test(std::int32_t triangle, const Vector& p, Hit& best) const;
 
   std::vector<std::array<Vector, 3>> triangles_;
   std::vector<std::int32_t> order_;

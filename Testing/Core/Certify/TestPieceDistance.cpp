@@ -65,13 +65,13 @@ TEST(PieceDistance, ManyPiecesDoNotLetTheBoundDriftAwayFromTheTruth)
     pieces.push_back({ Vector(-0.3, 0.3, 0), Vector(-0.2, 0.4, 0), Vector(0.5 * reach, -0.5 * reach, 0) });
   }
   const double limit = 0.1;
-  EXPECT_LE(largestDistance(piecesOf(pieces), treesOf(surface), limit, rounding), 0.1 * limit + 2.0 * rounding);
+  EXPECT_LE(largestDistance(piecesOf(pieces), treesOf(surface), limit, rounding), 0.25 * limit + 2.0 * rounding);
 }
 
-TEST(PieceDistance, NoPointIsFartherAndTheBoundIsWithinATenthOfTheLimitOfSomePoint)
+TEST(PieceDistance, NoPointIsFartherAndTheBoundIsSmallOrWithinATenthOfTheLimitOfSomePoint)
 {
   std::mt19937 random(1);
-  for (const double radius : { 0.9, 0.97 })
+  for (const double radius : { 0.8, 0.9, 0.97 })
   {
     const Triangles inner = sphereSurface(Vector::Zero(), radius, 1);
     const Triangles outer = sphereSurface(Vector::Zero(), 1.0, 2);
@@ -80,7 +80,7 @@ TEST(PieceDistance, NoPointIsFartherAndTheBoundIsWithinATenthOfTheLimitOfSomePoi
     const double seen = seenDistance(inner, outer, random);
     EXPECT_GE(bound, seen);
     // 125 points on a triangle of edge 0.6: one of them is about as far as the farthest point.
-    EXPECT_LE(bound, seen + 0.1 * limit + 0.01);
+    EXPECT_LE(bound, std::max(0.25 * limit, seen + 0.1 * limit + 0.01));
   }
 }
 
