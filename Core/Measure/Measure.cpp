@@ -55,10 +55,11 @@ RepresentationErrors measureRepresentation(const Representation& representation,
   errors.interfaces = measureInterfaces(representation, original, regions.surfaces, locator, tolerance, progress);
   progress.stage("Measure misclassified volume", 0.8, 1.0);
   const auto largest = std::max_element(volumes.volumes.begin(), volumes.volumes.end()) - volumes.volumes.begin();
-  const OriginalMaterial truth(original, MaterialId(largest));
+  const OriginalMaterial truth(original, native.box(), MaterialId(largest));
   const VolumeEstimate misclassified = misclassifiedVolume(representation, truth, progress);
   errors.misclassifiedVolume = misclassified.volume;
   errors.misclassifiedVolumeError = misclassified.standardError;
+  errors.misclassifiedNearGaps = misclassified.nearGaps;
   return errors;
 }
 }

@@ -91,6 +91,9 @@ struct RepresentationErrors
   /// stratified samples, and its standard error.
   double misclassifiedVolume = 0.0;
   double misclassifiedVolumeError = 0.0;
+  /// The part of it where the closest point of the original interfaces is on an edge at which they end within the box:
+  /// they leave open there what is right.
+  double misclassifiedNearGaps = 0.0;
 };
 
 /// Width to which Hausdorff intervals close, in units of the diagonal of the box.

@@ -52,6 +52,7 @@ private:
   {
     double volume = 0.0;
     double variance = 0.0;
+    double nearGaps = 0.0;
   };
 
   /// Adds the cells that no interface meets; lists the others.
@@ -59,6 +60,7 @@ private:
   void addSampled(Index cell, int strata, Sums& sums) const;
   MaterialId representedAt(Index cell, MaterialSet candidates, const std::array<double, 4>& weights) const;
   Vector at(Index cell, const std::array<double, 4>& weights) const;
+  bool isOnOneSide(Index cell, const OriginalMaterial::Answer& middle) const;
 
   const Representation& representation_;
   const OriginalMaterial& original_;
@@ -72,6 +74,21 @@ Vector Estimator::at(Index cell, const std::array<double, 4>& weights) const
     result += weights[i] * representation_.point(representation_.tetrahedra[4 * cell + i]);
   }
   return result;
+}
+
+/// Whether the interfaces, which no point of the cell is on, give it one material: beside a gap they may not.
+bool Estimator::isOnOneSide(Index cell, const OriginalMaterial::Answer& middle) const
+{
+  for (int i = 0; i < 4 && original_.hasGaps(); ++i)
+  {
+    const OriginalMaterial::Answer corner =
+      original_.at(representation_.point(representation_.tetrahedra[4 * cell + i]));
+    if (corner.material != middle.material || corner.nearGap != middle.nearGap)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 MaterialId Estimator::representedAt(Index cell, MaterialSet candidates, const std::array<double, 4>& weights) const
@@ -109,7 +126,7 @@ Estimator::Sums Estimator::addExact(Index begin, Index end, std::vector<Index>& 
       radius = std::max(radius, (representation_.point(representation_.tetrahedra[4 * cell + i]) - center).norm());
     }
     const OriginalMaterial::Answer truth = original_.at(center, radius, ball);
-    if (truth.distance < radius)
+    if (truth.distance < radius || !isOnOneSide(cell, truth))
     {
       open.push_back(cell);
       continue;
@@ -119,7 +136,9 @@ Estimator::Sums Estimator::addExact(Index begin, Index end, std::vector<Index>& 
     {
       regions.divide(cell);
       const double right = regions.materials().contains(truth.material) ? regions.volume(truth.material) : 0.0;
-      sums.volume += std::max(0.0, regions.cellVolume() - right);
+      const double wrong = std::max(0.0, regions.cellVolume() - right);
+      sums.volume += wrong;
+      sums.nearGaps += truth.nearGap ? wrong : 0.0;
     }
   }
   return sums;
@@ -130,6 +149,7 @@ void Estimator::addSampled(Index cell, int strata, Sums& sums) const
   const MaterialSet candidates = materialsOfCell(representation_, cell);
   const int count = strata * strata * strata;
   int wrong = 0;
+  int wrongNearGaps = 0;
   OriginalMaterial::Ball ball;
   for (int stratum = 0; stratum < count; ++stratum)
   {
@@ -140,12 +160,16 @@ void Estimator::addSampled(Index cell, int strata, Sums& sums) const
       cube[axis] = (position[axis] + jitter(cell, stratum, axis)) / strata;
     }
     const std::array<double, 4> weights = barycentric(cube);
-    wrong += representedAt(cell, candidates, weights) != original_.at(at(cell, weights), 0.0, ball).material ? 1 : 0;
+    const OriginalMaterial::Answer truth = original_.at(at(cell, weights), 0.0, ball);
+    const bool isWrong = representedAt(cell, candidates, weights) != truth.material;
+    wrong += isWrong ? 1 : 0;
+    wrongNearGaps += isWrong && truth.nearGap ? 1 : 0;
   }
   CellRegions regions(representation_);
   regions.divide(cell);
   const double share = static_cast<double>(wrong) / count;
   sums.volume += share * regions.cellVolume();
+  sums.nearGaps += regions.cellVolume() * wrongNearGaps / count;
   sums.variance += regions.cellVolume() * regions.cellVolume() * share * (1.0 - share) / (count - 1);
 }
 
@@ -180,8 +204,9 @@ VolumeEstimate Estimator::run(Progress& progress)
   {
     total.volume += part.volume;
     total.variance += part.variance;
+    total.nearGaps += part.nearGaps;
   }
-  return { total.volume, std::sqrt(total.variance) };
+  return { total.volume, std::sqrt(total.variance), total.nearGaps };
 }
 }
 

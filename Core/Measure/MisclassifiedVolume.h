@@ -10,6 +10,7 @@ struct VolumeEstimate
 {
   double volume = 0.0;
   double standardError = 0.0;
+  double nearGaps = 0.0; ///< the part of the volume where the original interfaces leave the side open
 };
 
 /// The volume in which the represented material (the smallest distance) is not the original one (the side of the

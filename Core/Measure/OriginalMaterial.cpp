@@ -24,6 +24,23 @@ std::vector<std::array<Vector, 3>> trianglesOf(const Interfaces& interfaces)
   return triangles;
 }
 
+/// Surfaces may end at the walls of the box, to this part of its diagonal.
+constexpr double wallTolerance = 1e-9;
+
+bool isOnOneWall(const Box& box, const Vector& a, const Vector& b)
+{
+  const double tolerance = wallTolerance * box.diagonal();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (std::max(a[axis], b[axis]) <= box.lower[axis] + tolerance ||
+        std::min(a[axis], b[axis]) >= box.upper[axis] - tolerance)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// The corners at the ends of the feature on which a point lies; twice the same for a corner.
 std::array<int, 2> endsOf(TriangleFeature feature)
 {
@@ -45,7 +62,7 @@ std::array<int, 2> endsOf(TriangleFeature feature)
 }
 }
 
-OriginalMaterial::OriginalMaterial(const Interfaces& interfaces, MaterialId withoutInterfaces) :
+OriginalMaterial::OriginalMaterial(const Interfaces& interfaces, const Box& box, MaterialId withoutInterfaces) :
   interfaces_(interfaces), withoutInterfaces_(withoutInterfaces), aroundStart_(interfaces.points.size() + 1, 0),
   tree_(trianglesOf(interfaces))
 {
@@ -70,6 +87,44 @@ OriginalMaterial::OriginalMaterial(const Interfaces& interfaces, MaterialId with
       around_[next[corner]++] = static_cast<std::int32_t>(triangle);
     }
   }
+  findRims(box);
+}
+
+void OriginalMaterial::findRims(const Box& box)
+{
+  std::vector<std::pair<std::int32_t, std::int32_t>> edges;
+  for (const Side& side : sides_)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      edges.push_back(std::minmax(side.corners[i], side.corners[(i + 1) % 3]));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  isOnRim_.assign(interfaces_.points.size(), 0);
+  for (auto edge = edges.begin(); edge != edges.end();)
+  {
+    const auto next = std::upper_bound(edge, edges.end(), *edge);
+    if (next == edge + 1 && !isOnOneWall(box, interfaces_.points[edge->first], interfaces_.points[edge->second]))
+    {
+      rims_.push_back(*edge);
+      isOnRim_[edge->first] = isOnRim_[edge->second] = 1;
+    }
+    edge = next;
+  }
+}
+
+bool OriginalMaterial::isNearGap(const TriangleTree::Hit& hit) const
+{
+  if (rims_.empty() || hit.feature == TriangleFeature::Face)
+  {
+    return false;
+  }
+  const auto [first, second] = endsOf(hit.feature);
+  const std::array<std::int32_t, 3>& corners = sides_[hit.triangle].corners;
+  return first == second ? isOnRim_[corners[first]] != 0
+                         : std::binary_search(rims_.begin(), rims_.end(),
+                             std::pair<std::int32_t, std::int32_t>(std::minmax(corners[first], corners[second])));
 }
 
 Vector OriginalMaterial::normal(std::int32_t triangle) const
@@ -132,16 +187,19 @@ MaterialId OriginalMaterial::sideOf(const Vector& offset, const TriangleTree::Hi
 OriginalMaterial::Answer OriginalMaterial::at(const Vector& p) const
 {
   const TriangleTree::Hit hit = tree_.closest(p);
-  const MaterialId material = hit.triangle < 0 ? withoutInterfaces_ : sideOf(p - hit.point, hit);
-  return { material, std::sqrt(hit.squaredDistance) };
+  if (hit.triangle < 0)
+  {
+    return { withoutInterfaces_, std::sqrt(hit.squaredDistance) };
+  }
+  return { sideOf(p - hit.point, hit), std::sqrt(hit.squaredDistance), isNearGap(hit) };
 }
 
 OriginalMaterial::Answer OriginalMaterial::at(const Vector& p, double needed, Ball& last) const
 {
   const double distance = last.answer.distance - (p - last.center).norm();
-  if (distance > needed)
+  if (distance > needed && !hasGaps())
   {
-    return { last.answer.material, distance };
+    return { last.answer.material, distance, last.answer.nearGap };
   }
   last = { p, at(p) };
   return last.answer;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "Geometry/Box.h"
 #include "Geometry/TriangleTree.h"
 #include "Model/Interfaces.h"
 
+#include <utility>
 #include <vector>
 
 namespace strata
@@ -17,11 +19,16 @@ public:
   struct Answer
   {
     MaterialId material;
-    double distance = 0.0; ///< to the closest interface: within it, the material is the same everywhere
+    double distance = 0.0; ///< to the closest interface: within it, the material is the same everywhere but near gaps
+    /// The closest point is on an edge at which the interfaces end within the box: they leave the side open, and the
+    /// answer is that of the interface continued.
+    bool nearGap = false;
   };
 
   /// `withoutInterfaces` is the answer where there are no interfaces at all. The interfaces must outlive the object.
-  OriginalMaterial(const Interfaces& interfaces, MaterialId withoutInterfaces);
+  OriginalMaterial(const Interfaces& interfaces, const Box& box, MaterialId withoutInterfaces);
+
+  bool hasGaps() const { return !rims_.empty(); }
 
   Answer at(const Vector& p) const;
 
@@ -32,7 +39,7 @@ public:
     Answer answer{ {}, -1.0 }; ///< its material and radius
   };
   /// As `at`, but the distance may be too small, though not below `needed` unless the true one is. Saves the query
-  /// where the last ball tells enough; otherwise replaces it.
+  /// where the last ball tells enough and the interfaces have no gaps; otherwise replaces it.
   Answer at(const Vector& p, double needed, Ball& last) const;
 
 private:
@@ -47,6 +54,8 @@ private:
   MaterialId sideOf(const Vector& offset, std::int32_t corner, std::int32_t otherCorner) const;
   MaterialId sideOf(const Vector& offset, const TriangleTree::Hit& hit) const;
   Vector normal(std::int32_t triangle) const;
+  void findRims(const Box& box);
+  bool isNearGap(const TriangleTree::Hit& hit) const;
 
   const Interfaces& interfaces_;
   MaterialId withoutInterfaces_;
@@ -54,6 +63,9 @@ private:
   /// Triangles round interface point i: around_[aroundStart_[i]] .. around_[aroundStart_[i + 1]].
   std::vector<std::int32_t> around_;
   std::vector<std::int32_t> aroundStart_;
+  /// Edges where the interfaces end within the box, by their points, the lower first; sorted.
+  std::vector<std::pair<std::int32_t, std::int32_t>> rims_;
+  std::vector<std::uint8_t> isOnRim_; ///< of each point
   TriangleTree tree_;
 };
 }

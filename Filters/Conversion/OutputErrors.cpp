@@ -21,7 +21,8 @@ constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 const char* const numberColumns[] = { "samples", "missing", "largest", "mean", "root_mean_square", "x", "y", "z",
   "claimed", "original_to_represented_lower", "original_to_represented_upper", "represented_to_original_lower",
   "represented_to_original_upper", "represented_volume", "original_volume", "relative_volume_error", "represented_mass",
-  "original_mass", "relative_mass_error", "misclassified_volume", "misclassified_volume_error" };
+  "original_mass", "relative_mass_error", "misclassified_volume", "misclassified_volume_error",
+  "misclassified_near_gaps" };
 
 /// A table of which each row fills some columns.
 class Rows
@@ -119,7 +120,8 @@ void writeErrors(
         { "relative_mass_error", relative(report.representedMass, report.originalMass) } });
   }
   rows.add({ "misclassified", "", "", "" }, { { "misclassified_volume", errors.misclassifiedVolume },
-                                              { "misclassified_volume_error", errors.misclassifiedVolumeError } });
+                                              { "misclassified_volume_error", errors.misclassifiedVolumeError },
+                                              { "misclassified_near_gaps", errors.misclassifiedNearGaps } });
   rows.write(output);
 }
 }

@@ -1,7 +1,9 @@
-"""Plays the impact's time steps in a real ParaView window: gui_animation.py PARAVIEW DATA FOLDER
+"""Plays the impact's time steps in a real ParaView window: gui_animation.py PARAVIEW DATA FOLDER [field]
 
 DATA is the project's folder Data. The case is opened, refined and sliced; then the frames are stepped through from the
-first to the last and to the first again, as the player's buttons do. Each frame is shown by the field, then by material.
+first to the last and to the first again, as the player's buttons do. Each frame is shown by the field, then by material;
+with "field", by the field alone, and its range must stay. (Whenever colours are chosen anew, ParaView extends the range
+by what is shown.)
 FOLDER receives a picture of the window whenever it rests, to be looked at (the materials' colours and names must stay),
 and ParaView's timer log, of which the times of the filters are printed: one a frame. Run it under scripts/with-display,
 with STRATA_PLUGIN naming the plugin's library.
@@ -29,18 +31,17 @@ def shown_twice(button):
     return step(button) + color_by("material") + color_by(FIELD)
 
 
-def session(data):
+def session(data, shown):
     return (open_file(data / "impact/impact.strata") + apply() + step("actionVCRLastFrame")
             + add_filter("MultiresolutionTetrahedra") + set_number("InterfaceErrorBound", 0.15) + apply()
             + add_filter("MaterialSlice") + event(f"{PLANE}/useYNormal", "activate") + pause(1.0)
             + event(f"{PLANE}/originY", "set_string", "0.5")
             + event(f"{PLANE}/show3DWidget", "set_boolean", "false") + apply() + look_along_y()
-            + shown_twice("actionVCRFirstFrame") + (FRAMES - 1) * shown_twice("actionVCRNextFrame")
-            + shown_twice("actionVCRFirstFrame"))
+            + shown("actionVCRFirstFrame") + (FRAMES - 1) * shown("actionVCRNextFrame") + shown("actionVCRFirstFrame"))
 
 
-def main(paraview, data, folder):
-    return record(paraview, session(Path(data)), folder, 1.0)
+def main(paraview, data, folder, shown="both"):
+    return record(paraview, session(Path(data).resolve(), step if shown == "field" else shown_twice), folder, 1.0)
 
 
 if __name__ == "__main__":

@@ -44,7 +44,7 @@ TEST(OriginalMaterial, IsInsideATetrahedronHoweverSharpItsEdgesAndCorners)
     }
     Interfaces interfaces;
     addSurface(interfaces, B, A, tetrahedronSurface(corners));
-    const OriginalMaterial original(interfaces, C);
+    const OriginalMaterial original(interfaces, unitBox(), C);
     const std::array<std::int64_t, 4> cell = { 0, 1, 2, 3 };
     const TetrahedronLocator locator(corners[0].data(), cell.data(), 1);
     TetrahedronLocator::Weights weights{};
@@ -88,7 +88,7 @@ TEST(OriginalMaterial, OfConesRoundACornerIsTheConeThatHoldsThePoint)
       interfaces.surfaces.push_back({ positive, negative, { { { 4, i, j } } } });
     }
   }
-  const OriginalMaterial original(interfaces, MaterialId(7));
+  const OriginalMaterial original(interfaces, unitBox(), MaterialId(7));
   std::mt19937_64 random(3);
   for (int i = 0; i < 5000; ++i)
   {
@@ -110,5 +110,27 @@ TEST(OriginalMaterial, OfConesRoundACornerIsTheConeThatHoldsThePoint)
 TEST(OriginalMaterial, WithoutInterfacesIsTheOneGiven)
 {
   const Interfaces none;
-  EXPECT_EQ(OriginalMaterial(none, C).at({ 1, 2, 3 }).material, C);
+  EXPECT_EQ(OriginalMaterial(none, unitBox(), C).at({ 1, 2, 3 }).material, C);
+}
+
+TEST(OriginalMaterial, IsNearAGapWhereTheClosestPointIsOnARimWithinTheBox)
+{
+  // The lower half of the plane x = 0.43: it ends at walls of the box but for the edge y = 0.5.
+  Interfaces interfaces;
+  addSurface(interfaces, A, B, parallelogram({ 0.43, 0, 0 }, 0.5 * Vector::UnitY(), Vector::UnitZ(), 3));
+  const OriginalMaterial original(interfaces, unitBox(), C);
+  EXPECT_TRUE(original.hasGaps());
+  for (const double x : { 0.2, 0.42, 0.6 })
+  {
+    for (const double z : { 0.01, 0.5, 0.99 })
+    {
+      EXPECT_FALSE(original.at({ x, 0.01, z }).nearGap);
+      EXPECT_FALSE(original.at({ x, 0.49, z }).nearGap);
+      EXPECT_TRUE(original.at({ x, 0.51, z }).nearGap);
+      EXPECT_TRUE(original.at({ x, 0.99, z }).nearGap);
+    }
+  }
+  Interfaces whole;
+  addSurface(whole, A, B, planeAcrossX(0.43, 3));
+  EXPECT_FALSE(OriginalMaterial(whole, unitBox(), C).hasGaps());
 }

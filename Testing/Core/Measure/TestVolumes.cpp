@@ -187,6 +187,17 @@ TEST(MisclassifiedVolume, RoundAnEdgeOfThreeMaterialsIsZero)
   EXPECT_NEAR(measure(threeMaterials(4), noData(), interfaces, thirds).misclassifiedVolume, 0.0, 1e-9);
 }
 
+TEST(MisclassifiedVolume, SaysWhichPartOfItIsNearAGapOfTheOriginalInterface)
+{
+  // The original plane is there for y < 1/4 alone; continued, it misses the represented one by 0.03 everywhere.
+  Interfaces interfaces;
+  addSurface(interfaces, B, A, parallelogram({ 0.46, 0, 0 }, 0.25 * Vector::UnitY(), Vector::UnitZ(), 4));
+  const RepresentationErrors errors = measure(halfSpaces(8, 0.43), noData(), interfaces, thirds);
+  EXPECT_NEAR(errors.misclassifiedVolume, 0.03, 4.0 * errors.misclassifiedVolumeError);
+  EXPECT_NEAR(errors.misclassifiedNearGaps, 0.75 * 0.03, 4.0 * errors.misclassifiedVolumeError);
+  EXPECT_EQ(measure(halfSpaces(8, 0.43), noData(), plane(0.46), thirds).misclassifiedNearGaps, 0.0);
+}
+
 TEST(MisclassifiedVolume, WithoutInterfacesTheMaterialWithTheLargestVolumeIsTheOriginal)
 {
   EXPECT_NEAR(measure(halfSpaces(4, 0.43), noData(), {}, thirds).misclassifiedVolume, 0.57, 1e-6);
