@@ -3,8 +3,6 @@
 #include "Conversion/InputSurfaces.h"
 
 #include "Build/SurfaceEdges.h"
-#include "Extract/Extract.h"
-
 #include <sstream>
 
 namespace conversion = strata::conversion;
@@ -30,6 +28,13 @@ void warnOfGaps(const strata::Interfaces& interfaces, const strata::Simulation& 
 }
 }
 
+strata::ExtractOptions extractOptions(double minimumVolumeFraction)
+{
+  strata::ExtractOptions options;
+  options.minimumVolumeFraction = minimumVolumeFraction;
+  return options;
+}
+
 strata::Interfaces originalInterfaces(const conversion::CaseData& input, vtkDataObject* given,
   const strata::Simulation& simulation, double minimumVolumeFraction, strata::Warnings& warnings,
   strata::Progress& progress)
@@ -41,9 +46,8 @@ strata::Interfaces originalInterfaces(const conversion::CaseData& input, vtkData
     warnOfGaps(read, simulation, warnings);
     return read;
   }
-  strata::ExtractOptions options;
-  options.minimumVolumeFraction = minimumVolumeFraction;
-  strata::ExtractedInterfaces found = strata::extractInterfaces(simulation, options, progress);
+  strata::ExtractedInterfaces found =
+    strata::extractInterfaces(simulation, extractOptions(minimumVolumeFraction), progress);
   warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
   return std::move(found.interfaces);
 }

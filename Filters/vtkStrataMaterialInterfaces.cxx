@@ -1,13 +1,12 @@
 #include "vtkStrataMaterialInterfaces.h"
 
+#include "InterfaceFingerprint.h"
 #include "SimulationFilterLists.h"
 
 #include "Conversion/Guarded.h"
 #include "Conversion/Legend.h"
 #include "Conversion/OutputGridErrors.h"
 #include "Conversion/OutputSurfaces.h"
-
-#include "Extract/Extract.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -17,6 +16,38 @@
 namespace conversion = strata::conversion;
 
 vtkStandardNewMacro(vtkStrataMaterialInterfaces);
+
+/// What was found last, for as long as what it follows from stays.
+struct vtkStrataMaterialInterfaces::Internals
+{
+  std::uint64_t fingerprint = 0;
+  bool hasCellErrors = false; ///< which take much memory, and are kept only if they were asked for
+  std::unique_ptr<strata::ExtractedInterfaces> found;
+  int extractions = 0;
+
+  const strata::ExtractedInterfaces& find(const strata::Simulation& simulation, const strata::ExtractOptions& options,
+    bool cellErrors, strata::Progress& progress)
+  {
+    const std::uint64_t wanted = fingerprintOf(simulation, options);
+    if (!found || fingerprint != wanted || (cellErrors && !hasCellErrors))
+    {
+      found.reset();
+      found = std::make_unique<strata::ExtractedInterfaces>(strata::extractInterfaces(simulation, options, progress));
+      fingerprint = wanted;
+      hasCellErrors = cellErrors;
+      if (!cellErrors)
+      {
+        found->cellVolumeErrors = {};
+      }
+      ++extractions;
+    }
+    return *found;
+  }
+};
+
+vtkStrataMaterialInterfaces::vtkStrataMaterialInterfaces() : State(new Internals) {}
+
+vtkStrataMaterialInterfaces::~vtkStrataMaterialInterfaces() = default;
 
 int vtkStrataMaterialInterfaces::FillOutputPortInformation(int, vtkInformation* info)
 {
@@ -40,7 +71,9 @@ int vtkStrataMaterialInterfaces::RequestData(
     extraction.gatherSmearedFractions = this->GatherSmearedFractions;
     extraction.minimumVolumeFraction = this->MinimumVolumeFraction;
     progress.stage("Finding the interfaces", 0.0, 1.0);
-    const strata::ExtractedInterfaces found = strata::extractInterfaces(read.simulation, extraction, progress);
+    const strata::ExtractedInterfaces& found =
+      this->State->find(read.simulation, extraction, this->VolumeErrors, progress);
+    this->NumberOfExtractions = this->State->extractions;
     conversion::warn(this, found.warnings);
     conversion::writeInterfaces(found.interfaces, read.simulation.materials, output);
     conversion::writeVolumes(found, output->GetFieldData());

@@ -11,6 +11,7 @@
 #include "vtkStrataFiltersModule.h" // for the export macro
 #include "vtkStrataSimulationFilter.h"
 
+#include <memory>
 #include <string>
 
 class VTKSTRATAFILTERS_EXPORT vtkStrataMaterialInterfaces : public vtkStrataSimulationFilter
@@ -42,12 +43,15 @@ public:
   vtkBooleanMacro(VolumeErrors, bool);
   ///@}
 
+  /** How often interfaces were extracted since the filter was made: runs in which fields alone change share them. */
+  vtkGetMacro(NumberOfExtractions, int);
+
   /** What the numbers of the output's cell array `pair` stand for, a line "<number><tab><name>" each. */
   std::string GetLegend();
 
 protected:
-  vtkStrataMaterialInterfaces() = default;
-  ~vtkStrataMaterialInterfaces() override = default;
+  vtkStrataMaterialInterfaces();
+  ~vtkStrataMaterialInterfaces() override;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -55,10 +59,14 @@ protected:
   bool VolumeCorrection = true;
   bool GatherSmearedFractions = true;
   bool VolumeErrors = false;
+  int NumberOfExtractions = 0;
 
 private:
   vtkStrataMaterialInterfaces(const vtkStrataMaterialInterfaces&) = delete;
   void operator=(const vtkStrataMaterialInterfaces&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> State;
 };
 
 #endif

@@ -9,6 +9,7 @@
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkVector.h>
 
 using namespace strata::test;
 
@@ -63,4 +64,46 @@ TEST_F(MaterialInterfaces, VolumesAreReported)
   vtkDataSet* grid = output()->GetPartition(1, 0);
   ASSERT_TRUE(grid && grid->GetCellData()->HasArray("volume_error_left"));
   EXPECT_EQ(grid->GetCellData()->GetArray("volume_error_left")->GetNumberOfTuples(), 64);
+}
+
+TEST_F(MaterialInterfaces, AreExtractedAnewOnlyWhereTheGridTheFractionsOrTheOptionsChange)
+{
+  const vtkSmartPointer<vtkImageData> input = twoHalves(4);
+  filter->SetInputData(input);
+  const auto expectFresh = [&](int extractions) {
+    input->Modified();
+    vtkNew<vtkStrataMaterialInterfaces> fresh;
+    fresh->SetInputData(input);
+    fresh->SetVolumeErrors(filter->GetVolumeErrors());
+    fresh->SetVolumeCorrection(filter->GetVolumeCorrection());
+    ASSERT_EQ(update(filter).error, "");
+    ASSERT_EQ(update(fresh).error, "");
+    EXPECT_EQ(filter->GetNumberOfExtractions(), extractions);
+    auto* expected = vtkPartitionedDataSetCollection::SafeDownCast(fresh->GetOutputDataObject(0));
+    ASSERT_EQ(output()->GetNumberOfPartitionedDataSets(), expected->GetNumberOfPartitionedDataSets());
+    auto* surface = vtkPolyData::SafeDownCast(output()->GetPartition(0, 0));
+    auto* other = vtkPolyData::SafeDownCast(expected->GetPartition(0, 0));
+    ASSERT_EQ(surface->GetNumberOfPoints(), other->GetNumberOfPoints());
+    ASSERT_EQ(surface->GetNumberOfCells(), other->GetNumberOfCells());
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      EXPECT_EQ(vtkVector3d(surface->GetPoint(i)), vtkVector3d(other->GetPoint(i)));
+    }
+    EXPECT_EQ(output()->GetFieldData()->GetArray("volume_reconstructed")->GetTuple1(0),
+      expected->GetFieldData()->GetArray("volume_reconstructed")->GetTuple1(0));
+  };
+  expectFresh(1);
+  cellArray(input, "density_left")->SetValue(0, 9.0f);
+  expectFresh(1);
+  filter->VolumeErrorsOn();
+  expectFresh(2);
+  filter->VolumeErrorsOff();
+  expectFresh(2);
+  filter->VolumeCorrectionOff();
+  expectFresh(3);
+  cellArray(input, "volume_fraction_left")->SetValue(0, 0.0f);
+  cellArray(input, "volume_fraction_right")->SetValue(0, 1.0f);
+  expectFresh(4);
+  input->SetSpacing(1.0, 1.0, 1.0);
+  expectFresh(5);
 }
