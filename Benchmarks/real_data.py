@@ -79,6 +79,12 @@ def left_out(mesh):
     return max((array.GetValue(0) for array in arrays if array), default=0.0)
 
 
+def said_number(data, name):
+    """A number in the field data, or None."""
+    array = data.GetFieldData().GetArray(name)
+    return array.GetValue(0) if array else None
+
+
 class Run:
     """One data set: reads it, refines it at one bound after another, and looks at the results."""
 
@@ -111,7 +117,7 @@ class Run:
         return {"data": self.name, "cells in": self.data.GetNumberOfElements(1), "cells out": mesh.GetNumberOfCells(),
                 "materials": len(texts(mesh, "material_names")), "fields": ", ".join(texts(mesh, "field_names")),
                 "interface bound": interface, "field bound": field, "certified": self.options.certified,
-                "claimed interface": filter_.GetAchievedInterfaceError(),
+                "claimed interface": filter_.GetAchievedInterfaceError(), "claimed regions": said_number(mesh, "achieved_region_error"),
                 "claimed fields": [filter_.GetAchievedFieldError(f)
                                    for f in range(filter_.GetNumberOfAchievedFieldErrors())],
                 "left out": left_out(mesh), "met": bool(filter_.GetBoundMet()), "stopped by": filter_.GetStoppedBy(), "seconds": seconds,
@@ -139,6 +145,7 @@ class Run:
         for end in ("lower", "upper"):
             for name, short in (("original_to_represented", "there"), ("represented_to_original", "back")):
                 row[f"Hausdorff {short} {end}"] = max(column("interface", f"{name}_{end}"), default=0.0)
+                row[f"regions {short} {end}"] = max(column("region", f"{name}_{end}"), default=0.0)
         row["misclassified"] = sum(column("misclassified", "misclassified_volume"))
 
     def rows(self):
@@ -172,6 +179,9 @@ def violations(row, rounding=1e-5, digits=1e-12):
         found += [f"{how} {row[how]:.5g} > {row['claimed interface']:.5g} certified"
                   for how in ("Hausdorff there lower", "Hausdorff back lower", "sampled Hausdorff")
                   if row.get(how, 0.0) > row["claimed interface"] * (1.0 + rounding)]
+        found += [f"{how} {row[how]:.5g} > {row['claimed regions']:.5g} certified"
+                  for how in ("regions there lower", "regions back lower")
+                  if row.get(how, 0.0) > row["claimed regions"] * (1.0 + rounding)]
     if row.get("missing"):
         found.append(f"{row['missing']:.0f} native elements in cells without their material")
     if row.get("sampled Hausdorff", 0.0) > 1.001 * max(row.get(f"Hausdorff {way} upper", math.inf)

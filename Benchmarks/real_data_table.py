@@ -60,10 +60,16 @@ def interfaces(row):
     """Claimed, found by RepresentationError, sampled. Certified errors are distances between surfaces, both ways."""
     if not row["certified"]:
         return [length(row, name) for name in ("claimed interface", "measured interface", "sampled interface")]
-    ends = [max(row.get(f"Hausdorff {way} {end}", math.nan) for way in ("there", "back")) / row["diagonal"]
-            for end in ("lower", "upper")]
-    return [length(row, "claimed interface"), " to ".join(f"{end:.4f}" for end in ends),
-            length(row, "sampled Hausdorff")]
+
+    def found(what):
+        ends = [max(row.get(f"{what} {way} {end}", math.nan) for way in ("there", "back")) / row["diagonal"]
+                for end in ("lower", "upper")]
+        return " to ".join(f"{end:.4f}" for end in ends)
+
+    if math.isinf(row["claimed interface"]) and "claimed regions" in row:
+        return [f"inf; regions {length(row, 'claimed regions')}", f"inf; regions {found('regions')}",
+                length(row, "sampled Hausdorff")]
+    return [length(row, "claimed interface"), found("Hausdorff"), length(row, "sampled Hausdorff")]
 
 
 def fields(row):

@@ -115,6 +115,52 @@ void InterfaceCertificate::complete(Progress& progress)
     }
     record.limit = limit;
   });
+  regionError_ = regionDistance(progress);
+}
+
+double InterfaceCertificate::regionDistance(Progress& progress)
+{
+  double largest = 0.0;
+  std::vector<const Record*> withoutCounterpart;
+  for (const CellId cell : cells_)
+  {
+    const Record& record = recordOf(cell);
+    if (std::isfinite(record.error()))
+    {
+      largest = std::max(largest, record.error());
+    }
+    else
+    {
+      withoutCounterpart.push_back(&record);
+    }
+  }
+  if (withoutCounterpart.empty())
+  {
+    return largest;
+  }
+  const RegionTrees original(original_);
+  const RegionTrees represented(*represented_);
+  std::vector<double> distances(withoutCounterpart.size());
+  tbb::parallel_for(std::size_t{ 0 }, distances.size(), [&](std::size_t i) {
+    progress.check();
+    distances[i] = regionDistance(*withoutCounterpart[i], original, represented);
+  });
+  return std::max(largest, *std::max_element(distances.begin(), distances.end()));
+}
+
+double InterfaceCertificate::regionDistance(
+  const Record& record, const RegionTrees& original, const RegionTrees& represented) const
+{
+  for (double limit = record.limit;;)
+  {
+    const double distance = std::max(largestDistanceToRegions(record.represented, original, limit, rounding_),
+      largestDistanceToRegions(record.original, represented, limit, rounding_));
+    if (distance <= limit || !std::isfinite(distance))
+    {
+      return distance;
+    }
+    limit = 2.0 * distance;
+  }
 }
 
 InterfaceTrees InterfaceCertificate::updatePieces(const Hierarchy& values, Level& level, Progress& progress)
@@ -231,5 +277,6 @@ void InterfaceCertificate::writeErrors(Mesh& mesh) const
     largest = std::max(largest, error);
   }
   mesh.achieved.interfaceError = static_cast<double>(largest);
+  mesh.achieved.regionError = static_cast<double>(roundedUp(regionError_));
 }
 }

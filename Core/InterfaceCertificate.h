@@ -24,7 +24,7 @@ public:
   /// Measures a level, and closes its regions. `values` is the builder's hierarchy but for the values and errors at
   /// the level. An error above the criterion's bound may be too small, though not below the bound.
   void measure(const Hierarchy& values, Level& level, Progress& progress);
-  /// Measures the errors above the bound to the end.
+  /// Measures the errors above the bound to the end, and the regions' boundaries where an interface has no counterpart.
   void complete(Progress& progress);
 
   /// The cells of the level measured that must be split before the next is measured.
@@ -35,7 +35,7 @@ public:
   /// left alone for being small.
   bool leavesThinParts(const Hierarchy& values) const;
   double error(CellId cell) const { return recordOf(cell).error(); }
-  /// Raises the errors in a mesh emitted from the level measured to those of this certificate.
+  /// Raises the errors in a mesh emitted from the level completed to those of this certificate.
   void writeErrors(Mesh& mesh) const;
 
 private:
@@ -56,6 +56,10 @@ private:
     double error() const { return originalError > representedError ? originalError : representedError; }
   };
 
+  /// The largest distance between the original and the represented boundary of a region, either way: no larger than
+  /// the errors, and finite where a pair of materials touches on one side only.
+  double regionDistance(Progress& progress);
+  double regionDistance(const Record& record, const RegionTrees& original, const RegionTrees& represented) const;
   /// Takes over a level; returns the pieces that are no longer represented.
   InterfaceTrees updatePieces(const Hierarchy& values, Level& level, Progress& progress);
   void updatePieces(const Hierarchy& values, const Representation& mesh, Index number, TetrahedronCut& cut);
@@ -74,5 +78,6 @@ private:
   std::vector<CellId> cells_;                    ///< of the level measured last
   std::vector<std::unique_ptr<Record>> records_; ///< [cell]; null for cells never measured
   std::unique_ptr<InterfaceTrees> represented_;
+  double regionError_ = 0.0; ///< of the level completed
 };
 }

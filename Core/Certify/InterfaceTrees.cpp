@@ -59,4 +59,26 @@ const TriangleTree* InterfaceTrees::between(UnorderedPair materials) const
   const auto found = trees_.find(materials);
   return found == trees_.end() || found->second->empty() ? nullptr : found->second.get();
 }
+
+RegionTrees::RegionTrees(const InterfaceTrees& interfaces)
+{
+  std::map<MaterialId, std::vector<std::array<Vector, 3>>> triangles;
+  for (const auto& [materials, tree] : interfaces.all())
+  {
+    for (const MaterialId material : { materials.lower, materials.upper })
+    {
+      triangles[material].insert(triangles[material].end(), tree->triangles().begin(), tree->triangles().end());
+    }
+  }
+  for (auto& [material, list] : triangles)
+  {
+    trees_[material] = std::make_unique<TriangleTree>(std::move(list));
+  }
+}
+
+const TriangleTree* RegionTrees::around(MaterialId material) const
+{
+  const auto found = trees_.find(material);
+  return found == trees_.end() || found->second->empty() ? nullptr : found->second.get();
+}
 }

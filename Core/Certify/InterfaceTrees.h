@@ -20,11 +20,25 @@ public:
 
   /// Null where two materials don't touch.
   const TriangleTree* between(UnorderedPair materials) const;
+  const std::map<UnorderedPair, std::unique_ptr<TriangleTree>>& all() const { return trees_; }
 
 private:
   using Triangles = std::vector<std::array<Vector, 3>>;
   void makeTrees(std::map<UnorderedPair, Triangles> triangles);
 
   std::map<UnorderedPair, std::unique_ptr<TriangleTree>> trees_;
+};
+
+/// The boundary of each material's region: its interfaces with all others in one.
+class RegionTrees
+{
+public:
+  explicit RegionTrees(const InterfaceTrees& interfaces);
+
+  /// Null where a material has no interface.
+  const TriangleTree* around(MaterialId material) const;
+
+private:
+  std::map<MaterialId, std::unique_ptr<TriangleTree>> trees_;
 };
 }

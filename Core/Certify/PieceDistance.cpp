@@ -195,4 +195,31 @@ double largestDistance(
   }
   return search.result();
 }
+
+double largestDistanceToRegions(
+  const std::vector<InterfacePiece>& pieces, const RegionTrees& regions, double limit, double rounding)
+{
+  if (pieces.empty())
+  {
+    return 0.0;
+  }
+  Search search(limit, rounding);
+  for (const InterfacePiece& piece : pieces)
+  {
+    for (const MaterialId material : { piece.materials.lower, piece.materials.upper })
+    {
+      const TriangleTree* boundary = regions.around(material);
+      if (!boundary)
+      {
+        return infinity;
+      }
+      search.add(piece.corners, *boundary);
+      if (search.aboveLimit())
+      {
+        return search.result();
+      }
+    }
+  }
+  return search.result();
+}
 }

@@ -12,6 +12,11 @@ namespace strata
 double largestDistance(
   const std::vector<InterfacePiece>& pieces, const InterfaceTrees& surfaces, double limit, double rounding);
 
+/// The same of the distances from each polygon to the boundaries of both of its materials' regions, whichever materials
+/// these touch there. Infinite only where one of the materials has no boundary at all.
+double largestDistanceToRegions(
+  const std::vector<InterfacePiece>& pieces, const RegionTrees& regions, double limit, double rounding);
+
 /// Rounding of one distance between points whose coordinates are not larger than this.
 double distanceRounding(double largestCoordinate);
 }

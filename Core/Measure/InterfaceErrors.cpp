@@ -49,6 +49,11 @@ std::map<MaterialPair, OriginalSurface> originalSurfaces(const Interfaces& inter
   return result;
 }
 
+void append(const TriangleSoup& more, TriangleSoup& soup)
+{
+  soup.triangles.insert(soup.triangles.end(), more.triangles.begin(), more.triangles.end());
+}
+
 /// Distance of a point to the plane on which two materials are equally far away in a cell; infinite if there is none.
 double distanceToPlane(const Representation& representation, std::int64_t cell,
   const TetrahedronLocator::Weights& weights, const MaterialPair& pair)
@@ -129,6 +134,40 @@ std::vector<InterfaceErrorReport> measureInterfaces(const Representation& repres
     report.distance =
       hausdorffDistance(surface.soup, found != represented.end() ? found->second : TriangleSoup{}, tolerance, progress);
     reports.push_back(report);
+  }
+  return reports;
+}
+
+std::vector<RegionErrorReport> measureRegions(const Interfaces& original, const PairSurfaces& represented,
+  const std::vector<InterfaceErrorReport>& interfaces, double tolerance, Progress& progress)
+{
+  std::map<MaterialId, std::vector<const InterfaceErrorReport*>> interfacesOf;
+  for (const InterfaceErrorReport& report : interfaces)
+  {
+    interfacesOf[report.positive].push_back(&report);
+    interfacesOf[report.negative].push_back(&report);
+  }
+  const std::map<MaterialPair, OriginalSurface> originals = originalSurfaces(original);
+  std::vector<RegionErrorReport> reports;
+  for (const auto& [material, own] : interfacesOf)
+  {
+    progress.update(static_cast<double>(reports.size()) / static_cast<double>(interfacesOf.size()));
+    // Most materials touch one other.
+    reports.push_back({ material, own.front()->distance });
+    if (own.size() > 1)
+    {
+      TriangleSoup before;
+      TriangleSoup after;
+      for (const InterfaceErrorReport* report : own)
+      {
+        const MaterialPair pair = orderedPair(report->positive, report->negative);
+        const auto there = originals.find(pair);
+        const auto here = represented.find(pair);
+        append(there != originals.end() ? there->second.soup : TriangleSoup{}, before);
+        append(here != represented.end() ? here->second : TriangleSoup{}, after);
+      }
+      reports.back().distance = hausdorffDistance(before, after, tolerance, progress);
+    }
   }
   return reports;
 }

@@ -50,9 +50,11 @@ RepresentationErrors measureRepresentation(const Representation& representation,
   progress.stage("Measure volumes", 0.4, 0.5);
   const RepresentedRegions regions = representedRegions(representation, densityOf(representation), progress);
   errors.volumes = volumeReports(regions, volumes);
-  progress.stage("Measure interfaces", 0.5, 0.8);
+  progress.stage("Measure interfaces", 0.5, 0.7);
   const double tolerance = hausdorffTolerance * locator.bounds().diagonal();
   errors.interfaces = measureInterfaces(representation, original, regions.surfaces, locator, tolerance, progress);
+  progress.stage("Measure regions", 0.7, 0.8);
+  errors.regions = measureRegions(original, regions.surfaces, errors.interfaces, tolerance, progress);
   progress.stage("Measure misclassified volume", 0.8, 1.0);
   const auto largest = std::max_element(volumes.volumes.begin(), volumes.volumes.end()) - volumes.volumes.begin();
   const OriginalMaterial truth(original, native.box(), MaterialId(largest));

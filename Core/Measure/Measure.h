@@ -66,6 +66,14 @@ struct InterfaceErrorReport
   Vector where = Vector::Zero(); ///< the vertex with the largest error
 };
 
+/// Distance between the original and the represented boundary of a material's region: all its interfaces in one. It is
+/// finite where two materials touch on one side only, which makes the distance of their interface infinite.
+struct RegionErrorReport
+{
+  MaterialId material;
+  HausdorffDistance distance;
+};
+
 struct VolumeErrorReport
 {
   MaterialId material;
@@ -86,6 +94,7 @@ struct RepresentationErrors
 {
   std::vector<FieldErrorReport> fields;         ///< ordered by field, then material
   std::vector<InterfaceErrorReport> interfaces; ///< ordered by the lower, then the higher material
+  std::vector<RegionErrorReport> regions;       ///< of the materials with interfaces, ascending
   std::vector<VolumeErrorReport> volumes;       ///< one per material
   /// Volume in which the represented material is not the one on this side of the original interfaces: an estimate from
   /// stratified samples, and its standard error.

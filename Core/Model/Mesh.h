@@ -4,6 +4,7 @@
 #include "Model/Materials.h"
 #include "Model/NativeData.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace strata
 struct Achieved
 {
   double interfaceError = 0.0;
+  /// Where distances are certified: that between the original and the represented boundary of any one material's
+  /// region, both ways, whichever materials it touches there.
+  std::optional<double> regionError;
   std::vector<double> fieldErrors; ///< one per field
   bool boundMet = true;
   /// "bounds met", "maximum level", "maximum number of cells", "resolution of the stored values".

@@ -74,6 +74,14 @@ private:
   std::vector<vtkSmartPointer<vtkDoubleArray>> numbers_;
 };
 
+void addDistances(const HausdorffDistance& distance, Rows::Numbers& numbers)
+{
+  numbers["original_to_represented_lower"] = distance.originalToRepresented.lower;
+  numbers["original_to_represented_upper"] = distance.originalToRepresented.upper;
+  numbers["represented_to_original_lower"] = distance.representedToOriginal.lower;
+  numbers["represented_to_original_upper"] = distance.representedToOriginal.upper;
+}
+
 double claim(vtkFieldData* claims, const std::string& name)
 {
   vtkDataArray* array = claims ? claims->GetArray(name.c_str()) : nullptr;
@@ -102,14 +110,18 @@ void writeErrors(
   }
   for (const InterfaceErrorReport& report : errors.interfaces)
   {
-    const DistanceInterval& there = report.distance.originalToRepresented;
-    const DistanceInterval& back = report.distance.representedToOriginal;
-    rows.add({ "interface", material(report.positive), material(report.negative), "" },
-      { { "samples", static_cast<double>(report.vertices) }, { "missing", static_cast<double>(report.missing) },
-        { "largest", report.largestVertexError }, { "x", report.where[0] }, { "y", report.where[1] },
-        { "z", report.where[2] }, { "claimed", claim(claims, "achieved_interface_error") },
-        { "original_to_represented_lower", there.lower }, { "original_to_represented_upper", there.upper },
-        { "represented_to_original_lower", back.lower }, { "represented_to_original_upper", back.upper } });
+    Rows::Numbers numbers = { { "samples", static_cast<double>(report.vertices) },
+      { "missing", static_cast<double>(report.missing) }, { "largest", report.largestVertexError },
+      { "x", report.where[0] }, { "y", report.where[1] }, { "z", report.where[2] },
+      { "claimed", claim(claims, "achieved_interface_error") } };
+    addDistances(report.distance, numbers);
+    rows.add({ "interface", material(report.positive), material(report.negative), "" }, numbers);
+  }
+  for (const RegionErrorReport& report : errors.regions)
+  {
+    Rows::Numbers numbers = { { "claimed", claim(claims, "achieved_region_error") } };
+    addDistances(report.distance, numbers);
+    rows.add({ "region", material(report.material), "", "" }, numbers);
   }
   for (const VolumeErrorReport& report : errors.volumes)
   {

@@ -93,6 +93,10 @@ void writeFieldData(const Mesh& mesh, vtkFieldData* data)
   }
   data->AddArray(stringArray(names::fields, fieldNames));
   addNumber(data, "achieved_interface_error", mesh.achieved.interfaceError);
+  if (mesh.achieved.regionError)
+  {
+    addNumber(data, "achieved_region_error", *mesh.achieved.regionError);
+  }
   vtkNew<vtkUnsignedCharArray> boundMet;
   boundMet->SetName("bound_met");
   boundMet->InsertNextValue(mesh.achieved.boundMet ? 1 : 0);

@@ -224,9 +224,12 @@ TEST_F(RepresentationFilters, ErrorsAreMeasuredAgainstTheOriginal)
   error->SetInputDataObject(1, twoHalves(8));
   ASSERT_EQ(update(error).error, "");
   auto* table = vtkTable::SafeDownCast(error->GetOutputDataObject(0));
-  ASSERT_EQ(table->GetNumberOfRows(), 6); // two fields, one interface, two volumes, the misclassified volume
+  ASSERT_EQ(
+    table->GetNumberOfRows(), 8); // two fields, one interface, two regions and volumes, the misclassified volume
   EXPECT_LE(table->GetValueByName(0, "largest").ToDouble(), 1e-4);
-  EXPECT_NEAR(table->GetValueByName(3, "represented_volume").ToDouble(), 0.5, 1e-5);
-  EXPECT_NEAR(table->GetValueByName(3, "original_volume").ToDouble(), 0.5, 1e-9);
-  EXPECT_NEAR(table->GetValueByName(3, "original_mass").ToDouble(), 0.75, 1e-5); // mean of 1 + y over half the cube
+  EXPECT_EQ(table->GetValueByName(3, "kind").ToString(), "region");
+  EXPECT_LE(table->GetValueByName(3, "original_to_represented_lower").ToDouble(), 1e-4);
+  EXPECT_NEAR(table->GetValueByName(5, "represented_volume").ToDouble(), 0.5, 1e-5);
+  EXPECT_NEAR(table->GetValueByName(5, "original_volume").ToDouble(), 0.5, 1e-9);
+  EXPECT_NEAR(table->GetValueByName(5, "original_mass").ToDouble(), 0.75, 1e-5); // mean of 1 + y over half the cube
 }

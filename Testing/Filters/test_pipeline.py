@@ -61,7 +61,7 @@ def check_companions(case, tetrahedra, section):
     expect({"material", "density", "outside"} <= set(sampled.PointData.keys()), "samples carry their arrays")
     errors = servermanager.Fetch(updated(RepresentationError(Input=tetrahedra, Original=case)))
     kinds = {str(errors.GetValue(row, 0)).strip('"') for row in range(errors.GetNumberOfRows())}
-    expect(kinds == {"field", "interface", "volume", "misclassified"}, f"rows of all kinds, not {kinds}")
+    expect(kinds == {"field", "interface", "region", "volume", "misclassified"}, f"rows of all kinds, not {kinds}")
 
 
 def main():

@@ -165,6 +165,43 @@ TEST(InterfaceErrors, PairsThatOnlyTheRepresentationHasAreReported)
   EXPECT_EQ(errors.interfaces[0].distance.originalToRepresented.upper, 0.0);
 }
 
+TEST(InterfaceErrors, APairThatTouchesOnOneSideOnlyHasRegionsAtAFiniteDistance)
+{
+  // A film of C between A and B is not shown where A and B touch instead. B also bounds C at 0.9, which is shown.
+  Mesh mesh = kuhnMesh(unitBox(), 10, materials, {});
+  setDistances(mesh, A, [](const Vector& p) { return std::max(0.0, p.x() - 0.42); });
+  setDistances(mesh, B, [](const Vector& p) { return std::max({ 0.0, 0.42 - p.x(), p.x() - 0.9 }); });
+  setDistances(mesh, C, [](const Vector& p) { return std::max(0.0, 0.9 - p.x()); });
+  Interfaces interfaces;
+  addSurface(interfaces, C, A, planeAcrossX(0.42, 3));
+  addSurface(interfaces, B, C, planeAcrossX(0.45, 3));
+  addSurface(interfaces, C, B, planeAcrossX(0.9, 3));
+  const RepresentationErrors errors = measure(mesh, noData(), interfaces, volumes);
+  ASSERT_EQ(errors.interfaces.size(), 3u);
+  EXPECT_TRUE(std::isinf(errors.interfaces[0].distance.representedToOriginal.lower)) << "A and B";
+  EXPECT_TRUE(std::isinf(errors.interfaces[1].distance.originalToRepresented.lower)) << "A and C";
+  ASSERT_EQ(errors.regions.size(), 3u);
+  EXPECT_EQ(errors.regions[0].material, A);
+  expectDistance(errors.regions[0].distance.originalToRepresented, 0.0);
+  expectDistance(errors.regions[0].distance.representedToOriginal, 0.0);
+  expectDistance(errors.regions[1].distance.originalToRepresented, 0.03);
+  expectDistance(errors.regions[1].distance.representedToOriginal, 0.03);
+  expectDistance(errors.regions[2].distance.originalToRepresented, 0.48);
+  expectDistance(errors.regions[2].distance.representedToOriginal, 0.0);
+}
+
+TEST(InterfaceErrors, AMaterialThatVanishedHasARegionInfinitelyFar)
+{
+  Interfaces interfaces = planes({ 0.4 });
+  addSurface(interfaces, C, A, sphereSurface({ 0.2, 0.5, 0.5 }, 0.05, 1));
+  const RepresentationErrors errors = measure(halfSpaces(3, 0.4), noData(), interfaces, volumes);
+  ASSERT_EQ(errors.regions.size(), 3u);
+  // The farthest point of the small ball from the plane at 0.4, but for its corners.
+  EXPECT_NEAR(errors.regions[0].distance.originalToRepresented.upper, 0.25, 0.01);
+  expectDistance(errors.regions[1].distance.originalToRepresented, 0.0);
+  EXPECT_TRUE(std::isinf(errors.regions[2].distance.originalToRepresented.lower));
+}
+
 TEST(InterfaceErrors, MaterialsThatMeetOnlyOnFacesOfTheMeshHaveAnInterfaceThere)
 {
   // Cells hold one material each: A left of x = 1/2, B right of it. No cell has both.

@@ -72,6 +72,55 @@ Regions threeMaterials()
   return { withoutFields(3), interfaces };
 }
 
+const Vector ballBesideSheet(0.5, 0.5, 0.25);
+constexpr double radiusBesideSheet = 0.15;
+
+/// A sheet of a material that also fills a ball, too thin to be shown: from side to side between two others (which
+/// touch in the representation alone), or a plate in the plane between them (the material touches the upper one there
+/// alone). The sheet's corner comes first.
+Regions ballAndSheet(double width)
+{
+  const Vector low(0.5 - 0.5 * width, 0.5 - 0.5 * width, 0.6);
+  const Vector x = width * Vector::UnitX();
+  const Vector y = width * Vector::UnitY();
+  const Vector up = 1e-6 * Vector::UnitZ();
+  const int n = static_cast<int>(8.0 * width);
+  Interfaces interfaces;
+  addSurface(interfaces, A, B, parallelogram(low, x, y, n));
+  addSurface(interfaces, C, A, parallelogram(low + up, x, y, n));
+  addSurface(interfaces, B, A, sphereSurface(ballBesideSheet, radiusBesideSheet, 2));
+  if (width == 1.0)
+  {
+    return { withoutFields(3), interfaces };
+  }
+  addSurface(interfaces, C, A, parallelogram(low, x, up, n));
+  addSurface(interfaces, C, A, parallelogram(low + x, y, up, n));
+  addSurface(interfaces, C, A, parallelogram(low + x + y, -x, up, n));
+  addSurface(interfaces, C, A, parallelogram(low + y, -y, up, n));
+  Triangles around;
+  for (const std::array<Vector, 3>& triangle :
+    parallelogram(Vector(0, 0, low.z()), Vector::UnitX(), Vector::UnitY(), 8))
+  {
+    const Vector fromCenter = (triangle[0] + triangle[1] + triangle[2]) / 3.0 - Vector(0.5, 0.5, low.z());
+    if (fromCenter.cwiseAbs().maxCoeff() > 0.5 * width)
+    {
+      around.push_back(triangle);
+    }
+  }
+  addSurface(interfaces, C, B, around);
+  return { withoutFields(3), interfaces };
+}
+
+Regions ballAndPlate()
+{
+  return ballAndSheet(0.5);
+}
+
+Regions ballAndFilm()
+{
+  return ballAndSheet(1.0);
+}
+
 BuildOptions certified(int maximumLevel = 60)
 {
   BuildOptions build;
@@ -241,6 +290,56 @@ TEST(CertifiedInterfacesOfLevels, AnAlmostFlatDiscIsReportedAndEndsRefinement)
   EXPECT_EQ("parts of interfaces too thin for the bound", mesh.achieved.stoppedBy);
   EXPECT_LT(mesh.cellCount(), 100000);
   EXPECT_LE(largestDistanceIn(measured(regions, mesh)), mesh.achieved.interfaceError);
+}
+
+class PairsWithoutCounterpart : public testing::TestWithParam<ErrorMethod>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(
+  EveryMethod, PairsWithoutCounterpart, testing::Values(ErrorMethod::Direct, ErrorMethod::Fitted));
+
+TEST_P(PairsWithoutCounterpart, AreInfinitelyFarButTheirRegionsBoundariesAreNot)
+{
+  for (const Regions& regions : { ballAndPlate(), ballAndFilm() })
+  {
+    const Mesh mesh = meshOf(regions, within(0.2, GetParam()));
+    const RepresentationErrors errors = measured(regions, mesh);
+    EXPECT_FALSE(mesh.achieved.boundMet);
+    EXPECT_TRUE(std::isinf(mesh.achieved.interfaceError));
+    EXPECT_TRUE(std::isinf(largestDistanceIn(errors)));
+    ASSERT_TRUE(mesh.achieved.regionError.has_value());
+    ASSERT_EQ(3u, errors.regions.size());
+    double largest = 0.0;
+    double upper = 0.0;
+    for (const RegionErrorReport& report : errors.regions)
+    {
+      const HausdorffDistance& distance = report.distance;
+      largest = std::max({ largest, distance.originalToRepresented.lower, distance.representedToOriginal.lower });
+      upper = std::max({ upper, distance.originalToRepresented.upper, distance.representedToOriginal.upper });
+    }
+    // The corners of the sheet, from the ball: the nearest that is left of the material's boundary.
+    const double corner = (regions.interfaces.points.front() - ballBesideSheet).norm() - radiusBesideSheet;
+    EXPECT_LE(largest, *mesh.achieved.regionError);
+    EXPECT_NEAR(corner, largest, 0.2);
+    EXPECT_LE(*mesh.achieved.regionError, 1.2 * upper);
+  }
+}
+
+TEST(CertifiedInterfacesOfLevels, WithACounterpartForEveryPairTheRegionsAreNoFartherThanTheInterfaces)
+{
+  for (const Regions& regions : { ballAndDroplet(), threeMaterials() })
+  {
+    const Mesh mesh = meshOf(regions, within(bound));
+    ASSERT_TRUE(mesh.achieved.regionError.has_value());
+    EXPECT_LE(*mesh.achieved.regionError, mesh.achieved.interfaceError);
+    for (const RegionErrorReport& report : measured(regions, mesh).regions)
+    {
+      EXPECT_LE(report.distance.originalToRepresented.lower, *mesh.achieved.regionError);
+      EXPECT_LE(report.distance.representedToOriginal.lower, *mesh.achieved.regionError);
+    }
+  }
+  EXPECT_FALSE(meshOf(threeMaterials(), within(bound), {}).achieved.regionError.has_value());
 }
 
 TEST(CertifiedInterfacesOfLevels, TheUserCanStopIt)
