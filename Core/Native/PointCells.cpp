@@ -1,5 +1,7 @@
 #include "Native/PointCells.h"
 
+#include "Model/Errors.h"
+
 #include <Eigen/LU>
 #include <Eigen/QR>
 
@@ -121,22 +123,14 @@ PointCells::PointCells(const UnstructuredGrid& grid, Progress& progress)
     {
       continue;
     }
-    if (grid.shapes[at(c)] == CellShape::Polyhedron)
-    {
-      addPolyhedron(grid, c);
-      continue;
-    }
-    Cell cell{ grid.shapes[at(c)], {} };
+    Cell cell{ grid.shapes[at(c)], c, {} };
     for (std::size_t i = 0; i < 8; ++i)
     {
       cell.corners[i] =
         static_cast<std::uint32_t>(grid.corners[at(grid.cornerOffsets[at(c)] + boxCorners(cell.shape)[i])]);
     }
     cells_.push_back(cell);
-  }
-  for (Index c = 0; c < size(); ++c)
-  {
-    boxes.push_back(box(grid.points, c));
+    boxes.push_back(box(grid.points, size() - 1));
     all.add(boxes.back());
   }
   tolerance_ = relativeTolerance * all.diagonal();
@@ -145,34 +139,6 @@ PointCells::PointCells(const UnstructuredGrid& grid, Progress& progress)
   if (!cells_.empty())
   {
     build(boxes, 0, static_cast<std::uint32_t>(cells_.size()), progress);
-  }
-}
-
-/// Every face without the polyhedron's lowest point, cut from its own lowest point (so that neighbours cut it alike),
-/// makes tetrahedra with that point.
-void PointCells::addPolyhedron(const UnstructuredGrid& grid, Index polyhedron)
-{
-  const auto corner = [&](std::size_t offset) { return grid.corners.begin() + grid.cornerOffsets[offset]; };
-  const Index top = *std::min_element(corner(at(polyhedron)), corner(at(polyhedron) + 1));
-  for (Index f = grid.faceOffsets[at(polyhedron)]; f < grid.faceOffsets[at(polyhedron) + 1]; ++f)
-  {
-    const auto begin = grid.faceCorners.begin() + grid.faceStart[at(f)];
-    const auto end = grid.faceCorners.begin() + grid.faceStart[at(f) + 1];
-    std::vector<Index> face(begin, end);
-    if (face.size() < 3 || std::find(begin, end, top) != end)
-    {
-      continue;
-    }
-    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-    for (std::size_t i = 1; i + 1 < face.size(); ++i)
-    {
-      Cell cell{ CellShape::Tetrahedron, {} };
-      cell.corners.fill(static_cast<std::uint32_t>(face[i + 1]));
-      cell.corners[0] = static_cast<std::uint32_t>(top);
-      cell.corners[1] = static_cast<std::uint32_t>(face[0]);
-      cell.corners[2] = static_cast<std::uint32_t>(face[i]);
-      cells_.push_back(cell);
-    }
   }
 }
 
@@ -215,6 +181,11 @@ Box PointCells::box(const std::vector<Vector>& points, Index cell) const
 NativeCell PointCells::nativeCell(const std::vector<Vector>& points, Index cell) const
 {
   const Cell& own = cells_[at(cell)];
+  if (own.shape == CellShape::Polyhedron)
+  {
+    throw InvalidInput("certified bounds are not available for point data on polyhedra: cell " +
+                       std::to_string(own.gridCell) + " is one");
+  }
   NativeCell result;
   result.kind = own.shape == CellShape::Tetrahedron ? NativeCell::Kind::Tetrahedron : NativeCell::Kind::Hexahedron;
   for (std::size_t i = 0; i < 8; ++i)
@@ -230,7 +201,7 @@ bool PointCells::holds(const std::vector<Vector>& points, Index cell, const Vect
   const Cell& own = cells_[at(cell)];
   const Box around = box(points, cell);
   const double reach = relativeTolerance * around.diagonal();
-  if (around.squaredDistance(p) > reach * reach)
+  if (own.shape == CellShape::Polyhedron || around.squaredDistance(p) > reach * reach)
   {
     return false;
   }

@@ -11,7 +11,7 @@ namespace strata
 {
 /// The visible cells of an unstructured grid, over which point data are functions of the place: linear on tetrahedra,
 /// isoparametric on hexahedra, wedges and pyramids. The latter two are hexahedra some of whose corners coincide,
-/// which gives the usual functions. Polyhedra are cut into tetrahedra between their points.
+/// which gives the usual functions.
 class PointCells
 {
 public:
@@ -26,17 +26,19 @@ public:
   int cornerCount(Index cell) const { return cells_[at(cell)].shape == CellShape::Tetrahedron ? 4 : 8; }
   std::uint32_t corner(Index cell, int i) const { return cells_[at(cell)].corners[at(i)]; }
   Box box(const std::vector<Vector>& points, Index cell) const;
-  /// The kind, the corner points as samples, and their places.
+  /// The kind, the corner points as samples, and their places. Throws InvalidInput for a polyhedron, whose data are no
+  /// function of a known kind.
   NativeCell nativeCell(const std::vector<Vector>& points, Index cell) const;
 
   /// A cell that holds a point, with its weights there; -1 if none does. On a common face, of which cells is a function
-  /// of the grid and the point alone.
+  /// of the grid and the point alone. Polyhedra hold nothing.
   Index cellAt(const std::vector<Vector>& points, const Vector& p, Weights& weights) const;
 
 private:
   struct Cell
   {
     CellShape shape;
+    Index gridCell;
     std::array<std::uint32_t, 8> corners;
   };
   /// A box round the cells order_[begin] .. order_[end - 1]; `second` is the second child, the first one follows the
@@ -49,7 +51,6 @@ private:
     std::uint32_t second;
   };
 
-  void addPolyhedron(const UnstructuredGrid& grid, Index polyhedron);
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
   void build(const std::vector<Box>& boxes, std::uint32_t begin, std::uint32_t end, Progress& progress);
   bool holds(const std::vector<Vector>& points, Index cell, const Vector& p, Weights& weights) const;

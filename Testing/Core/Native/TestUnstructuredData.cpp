@@ -2,15 +2,12 @@
 #include "UnstructuredGrids.h"
 
 #include "Native/CellCentroids.h"
-#include "Native/PointCells.h"
 #include "Native/SampleTree.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 using namespace strata;
 using namespace strata::test;
@@ -293,51 +290,6 @@ TEST(UnstructuredData, InterpolatesPointDataWithinCells)
       p = Vector(p.x() + 0.3 * p.y(), p.y(), 0.7 * p.z() - 0.2 * p.x());
       EXPECT_NEAR(valueAt(*data, block, p), field(block, p), 1e-9);
     }
-  }
-}
-
-TEST(UnstructuredData, CutsPolyhedraIntoTetrahedraThatFillThem)
-{
-  std::mt19937 random(5);
-  UnstructuredGrid grid = unstructured(boxGrid(3, 4, 5, 1.1), CellShape::Polyhedron);
-  // In any order of the points.
-  std::vector<Index> order(grid.points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::shuffle(order.begin(), order.end(), random);
-  std::vector<Vector> points(grid.points.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    points[static_cast<std::size_t>(order[i])] = grid.points[i];
-  }
-  grid.points = points;
-  for (std::vector<Index>* corners : { &grid.corners, &grid.faceCorners })
-  {
-    std::transform(corners->begin(), corners->end(), corners->begin(),
-      [&](Index corner) { return order[static_cast<std::size_t>(corner)]; });
-  }
-  Progress progress;
-  const PointCells cells(grid, progress);
-  double volume = 0.0;
-  for (Index c = 0; c < cells.size(); ++c)
-  {
-    const NativeCell cell = cells.nativeCell(grid.points, c);
-    ASSERT_EQ(NativeCell::Kind::Tetrahedron, cell.kind);
-    const std::array<Vector, 8>& p = cell.corners;
-    volume += std::abs((p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0])) / 6.0;
-  }
-  EXPECT_NEAR(1.0, volume, 1e-12);
-  for (int i = 0; i < 1000; ++i)
-  {
-    PointCells::Weights weights;
-    const Vector p = randomPoint(random);
-    const Index holder = cells.cellAt(grid.points, p, weights);
-    ASSERT_GE(holder, 0);
-    Vector place = Vector::Zero();
-    for (int k = 0; k < 4; ++k)
-    {
-      place += weights[static_cast<std::size_t>(k)] * grid.points[cells.corner(holder, k)];
-    }
-    EXPECT_LT((place - p).norm(), 1e-12);
   }
 }
 
