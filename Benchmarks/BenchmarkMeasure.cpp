@@ -117,7 +117,7 @@ void misclassified(benchmark::State& state)
   Progress progress;
   for (auto _ : state)
   {
-    const OriginalMaterial original(interfaces, outside);
+    const OriginalMaterial original(interfaces, unitBox(), outside);
     benchmark::DoNotOptimize(misclassifiedVolume(view(mesh), original, progress));
   }
   state.counters["cells/s"] =

@@ -32,12 +32,12 @@ public:
 
   FittedLevel run()
   {
-    growTo(options_.looseness);
+    growTo(certificate_ ? options_.certifiedLooseness : options_.looseness);
     takeOverHierarchy();
     for (int round = 1;; ++round)
     {
       collectCells();
-      fitValues(values_, cells_, rows_, fixed_, bounds_, options_.sweeps, progress_);
+      fitValues(values_, cells_, rows_, settledVertices(), bounds_, options_.sweeps, progress_);
       measure();
       Level level = front_.level(builder_.hierarchy());
       const std::vector<CellId> tooCoarse = findTooCoarse(level);
@@ -134,13 +134,33 @@ private:
     }
   }
 
-  /// New cells and vertices come from the hierarchy; fitted values stay.
+  /// New cells and vertices come from the hierarchy; fitted values and the errors measured with them stay.
   void takeOverHierarchy()
   {
-    std::vector<float> fitted = std::move(values_.values);
+    const Hierarchy fitted = std::move(values_);
     values_ = builder_.hierarchy();
-    std::copy(fitted.begin(), fitted.end(), values_.values.begin());
+    std::copy(fitted.values.begin(), fitted.values.end(), values_.values.begin());
+    std::copy(fitted.interfaceErrors.begin(), fitted.interfaceErrors.end(), values_.interfaceErrors.begin());
+    std::copy(fitted.fieldErrors.begin(), fitted.fieldErrors.end(), values_.fieldErrors.begin());
     fixed_.resize(values_.vertices.size(), 0);
+    measured_.resize(values_.cells.size(), 0);
+  }
+
+  /// Vertices none of whose cells are new have been fitted to them before.
+  std::vector<std::uint8_t> settledVertices() const
+  {
+    std::vector<std::uint8_t> settled(fixed_.size(), 1);
+    for (const CellId c : cells_)
+    {
+      if (measured_[static_cast<std::size_t>(c.value)] == 0)
+      {
+        for (const VertexId v : values_.cell(c).corners)
+        {
+          settled[static_cast<std::size_t>(v.value)] = fixed_[static_cast<std::size_t>(v.value)];
+        }
+      }
+    }
+    return settled;
   }
 
   void collectCells()
@@ -161,17 +181,37 @@ private:
     rows_.swap(rows);
   }
 
+  /// Whether a cell has the values at its corners that it was last measured with.
+  bool isMeasured(CellId cell) const
+  {
+    const auto isSame = [&](VertexId vertex) {
+      const auto v = static_cast<std::size_t>(vertex.value);
+      const auto first = static_cast<std::ptrdiff_t>(values_.valueOffsets[v]);
+      const std::ptrdiff_t count = values_.vertexMaterials[v].size() * values_.valuesPerMaterial;
+      const auto own = values_.values.begin() + first;
+      return std::equal(own, own + count, measuredValues_.begin() + first);
+    };
+    const std::array<VertexId, 4>& corners = values_.cell(cell).corners;
+    return measured_[static_cast<std::size_t>(cell.value)] != 0 && std::all_of(corners.begin(), corners.end(), isSame);
+  }
+
   void measure()
   {
     const std::size_t fields = values_.fields.size();
     tbb::parallel_for(std::size_t{ 0 }, cells_.size(), [&](std::size_t i) {
       progress_.check();
+      if (isMeasured(cells_[i]))
+      {
+        return;
+      }
       const CellErrors errors = builder_.errors(values_, cells_[i]);
       const auto c = static_cast<std::size_t>(cells_[i].value);
+      measured_[c] = 1;
       values_.interfaceErrors[c] = errors.interfaceError;
       std::copy(errors.fieldErrors.begin(), errors.fieldErrors.end(),
         values_.fieldErrors.begin() + static_cast<std::ptrdiff_t>(c * fields));
     });
+    measuredValues_ = values_.values;
   }
 
   HierarchyBuilder& builder_;
@@ -184,6 +224,8 @@ private:
   Hierarchy values_;
   std::vector<CellId> cells_;
   std::vector<CellRows> rows_;         ///< one per cell
+  std::vector<std::uint8_t> measured_; ///< [cell], 1 if its errors were measured
+  std::vector<float> measuredValues_;  ///< the values that they were measured with
   std::vector<std::uint8_t> fixed_;    ///< [vertex], 1 if it has the hierarchy's values for good
   std::vector<std::uint8_t> failures_; ///< [cell], of its parent, grandparent and so on, until one held its bounds
 };

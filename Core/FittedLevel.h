@@ -8,8 +8,10 @@ namespace strata
 {
 struct FitOptions
 {
-  /// The first level meets the bounds times this; fitting brings most of its cells below the bounds.
+  /// The first level meets the bounds times this; fitting brings most of its cells below the bounds. Certified errors
+  /// leave fits less freedom.
   double looseness = 3.0;
+  double certifiedLooseness = 2.0;
   /// Passes over the vertices before cells are split, each time.
   int sweeps = 6;
   /// Cells that fall short although so many of their ancestors in a row were split for it get unfitted values.

@@ -83,20 +83,24 @@ CellRows::Samples& groupOf(CellRows& rows, MaterialId m, std::size_t field, int 
            : rows.samples.emplace_back(CellRows::Samples{ m, field, firstValue, components, {}, {} });
 }
 
-/// The ten points and which materials' values have been found at each.
+/// A cell's corners and three points of each edge, and which materials' values have been found at each.
 struct Probes
 {
-  std::array<Vector, 10> points;
-  std::array<MaterialSet, 10> found;
+  std::array<Vector, 22> points;
+  std::array<MaterialSet, 22> found;
 
   explicit Probes(const std::array<Vector, 4>& corners)
   {
     std::size_t count = 0;
     for (std::size_t i = 0; i < 4; ++i)
     {
-      for (std::size_t j = 0; j <= i; ++j)
+      points[count++] = corners[i];
+      for (std::size_t j = 0; j < i; ++j)
       {
-        points[count++] = 0.5 * (corners[i] + corners[j]);
+        for (const double t : { 0.25, 0.5, 0.75 })
+        {
+          points[count++] = (1.0 - t) * corners[i] + t * corners[j];
+        }
       }
     }
   }

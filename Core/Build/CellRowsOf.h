@@ -16,7 +16,7 @@ void addClippedCorners(
   const Barycentric& barycentric, const CellElements& elements, const InterfaceElements& interfaces, CellRows& rows);
 
 /// Adds points of native cells in a cell that is not much larger than they are, so that a fit knows what lies between
-/// its few samples: the cell's corners and the middles of its edges.
+/// its few samples: the cell's corners and three points of each edge.
 void addNativeCellPoints(const Hierarchy& hierarchy, CellId cell, const Barycentric& barycentric,
   const CellElements& elements, const NativeData& native, CellRows& rows);
 }

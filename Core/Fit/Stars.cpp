@@ -4,34 +4,15 @@
 
 namespace strata
 {
-Stars::Stars(
-  const Hierarchy& values, const std::vector<CellId>& cells, const std::vector<double>& errors, double threshold)
+Stars::Stars(const Hierarchy& values, const std::vector<CellId>& cells, std::vector<VertexId> vertices) :
+  indexOf_(values.vertices.size(), -1), vertices_(std::move(vertices))
 {
-  findVertices(values, cells, errors, threshold);
+  for (std::size_t i = 0; i < vertices_.size(); ++i)
+  {
+    indexOf_[static_cast<std::size_t>(vertices_[i].value)] = static_cast<std::int32_t>(i);
+  }
   findCells(values, cells);
   color(values, cells);
-}
-
-void Stars::findVertices(
-  const Hierarchy& values, const std::vector<CellId>& cells, const std::vector<double>& errors, double threshold)
-{
-  indexOf_.assign(values.vertices.size(), -1);
-  for (std::size_t c = 0; c < cells.size(); ++c)
-  {
-    if (errors[c] < threshold)
-    {
-      continue;
-    }
-    for (const VertexId corner : values.cell(cells[c]).corners)
-    {
-      std::int32_t& index = indexOf_[static_cast<std::size_t>(corner.value)];
-      if (index < 0)
-      {
-        index = static_cast<std::int32_t>(vertices_.size());
-        vertices_.push_back(corner);
-      }
-    }
-  }
 }
 
 void Stars::findCells(const Hierarchy& values, const std::vector<CellId>& cells)

@@ -6,12 +6,11 @@
 
 namespace strata
 {
-/// The cells round each vertex of cells with large errors, and groups of vertices no two of which share a cell.
+/// The cells round each of some vertices, and groups of vertices no two of which share a cell.
 class Stars
 {
 public:
-  /// Takes the vertices of those `cells` whose entry in `errors` is not below the threshold.
-  Stars(const Hierarchy& values, const std::vector<CellId>& cells, const std::vector<double>& errors, double threshold);
+  Stars(const Hierarchy& values, const std::vector<CellId>& cells, std::vector<VertexId> vertices);
 
   const std::vector<std::vector<std::size_t>>& colors() const { return colors_; }
   VertexId vertex(std::size_t i) const { return vertices_[i]; }
@@ -19,8 +18,6 @@ public:
   const std::vector<std::size_t>& cellsAt(std::size_t i) const { return cellsAt_[i]; }
 
 private:
-  void findVertices(
-    const Hierarchy& values, const std::vector<CellId>& cells, const std::vector<double>& errors, double threshold);
   void findCells(const Hierarchy& values, const std::vector<CellId>& cells);
   void color(const Hierarchy& values, const std::vector<CellId>& cells);
 
