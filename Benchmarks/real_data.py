@@ -79,7 +79,7 @@ def left_out(mesh):
     return max((array.GetValue(0) for array in arrays if array), default=0.0)
 
 
-def said_number(data, name):
+def field_number(data, name):
     """A number in the field data, or None."""
     array = data.GetFieldData().GetArray(name)
     return array.GetValue(0) if array else None
@@ -117,7 +117,7 @@ class Run:
         return {"data": self.name, "cells in": self.data.GetNumberOfElements(1), "cells out": mesh.GetNumberOfCells(),
                 "materials": len(texts(mesh, "material_names")), "fields": ", ".join(texts(mesh, "field_names")),
                 "interface bound": interface, "field bound": field, "certified": self.options.certified,
-                "claimed interface": filter_.GetAchievedInterfaceError(), "claimed regions": said_number(mesh, "achieved_region_error"),
+                "claimed interface": filter_.GetAchievedInterfaceError(), "claimed regions": field_number(mesh, "achieved_region_error"),
                 "claimed fields": [filter_.GetAchievedFieldError(f)
                                    for f in range(filter_.GetNumberOfAchievedFieldErrors())],
                 "left out": left_out(mesh), "met": bool(filter_.GetBoundMet()), "stopped by": filter_.GetStoppedBy(), "seconds": seconds,
@@ -223,7 +223,7 @@ def run_apart(name, options):
         yield {"data": name, "failed": reason}
 
 
-def number(row, name, part=1.0):
+def length_text(row, name, part=1.0):
     return f"{row[name] / part:.5f}" if name in row else "-"
 
 
@@ -233,7 +233,7 @@ def printed(row):
         return f"{row['data']:16} {row['failed']}"
     size = row["diagonal"]
     bound = "default" if row["interface bound"] is None else f"{row['interface bound'] / size:g} {row['field bound']:g}"
-    lengths = [number(row, name, size) for name in (
+    lengths = [length_text(row, name, size) for name in (
         "claimed interface", "measured interface", "sampled interface", "Hausdorff there upper",
         "Hausdorff back upper", "sampled Hausdorff")]
     fields = [f"{max(row['claimed fields'], default=0.0):.4g}"] + [

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace strata::conversion
@@ -97,7 +98,8 @@ void checkAscending(const Axes& axes)
     for (std::size_t i = 0; i < axes[axis].size(); ++i)
     {
       const double value = axes[axis][i];
-      if (!std::isfinite(value) || (i > 0 && !(value > axes[axis][i - 1])))
+      // Below the normal numbers, cells have volumes that round to nothing.
+      if (!std::isfinite(value) || (i > 0 && !(value - axes[axis][i - 1] >= std::numeric_limits<double>::min())))
       {
         std::ostringstream message;
         message << "The coordinates along "

@@ -192,6 +192,7 @@ REFUSED = {
     "quadratic cell that is turned inside out": (
         lambda: grid(bent_tetrahedron(3.0), [numpy.arange(10)], VTK_QUADRATIC_TETRA), ["cell 0", "volume"]),
     "spacing 0": (lambda: stretched(0.0), ["along y", "spacing"]),
+    "spacing below normal numbers": (lambda: stretched(1e-320), ["along y", "spacing", "e-321"]),
     "spacing NaN": (lambda: stretched(NAN), ["along y", "nan"]),
     "spacing infinite": (lambda: stretched(INFINITY), ["along y", "nan"]),
     "coordinates that repeat": (lambda: rectilinear([0, 1, 1, 3, 4]), ["along y", "number 2 is 1 after 1"]),
