@@ -78,7 +78,6 @@ void addGrid(const strata::UnstructuredGrid& grid, Fingerprint& print)
   print.addAll(grid.faceCorners);
   print.addAll(grid.hidden);
 }
-
 }
 
 std::uint64_t fingerprintOf(const strata::Simulation& simulation, const strata::ExtractOptions& options)

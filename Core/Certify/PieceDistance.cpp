@@ -1,6 +1,7 @@
 #include "Certify/PieceDistance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -165,6 +166,34 @@ private:
   double lower_ = 0.0;   ///< some point is as far
   double settled_ = 0.0; ///< no point of the pieces dealt with is farther than this and `lower_`
 };
+
+/// The largest distance of some polygons to the surfaces that `surfacesOf` names for their materials, null for none.
+template<typename SurfacesOf>
+double largestDistanceToAll(
+  const std::vector<InterfacePiece>& pieces, const SurfacesOf& surfacesOf, double limit, double rounding)
+{
+  if (pieces.empty())
+  {
+    return 0.0;
+  }
+  Search search(limit, rounding);
+  for (const InterfacePiece& piece : pieces)
+  {
+    for (const TriangleTree* surface : surfacesOf(piece.materials))
+    {
+      if (!surface)
+      {
+        return infinity;
+      }
+      search.add(piece.corners, *surface);
+      if (search.aboveLimit())
+      {
+        return search.result();
+      }
+    }
+  }
+  return search.result();
+}
 }
 
 double distanceRounding(double largestCoordinate)
@@ -175,51 +204,16 @@ double distanceRounding(double largestCoordinate)
 double largestDistance(
   const std::vector<InterfacePiece>& pieces, const InterfaceTrees& surfaces, double limit, double rounding)
 {
-  if (pieces.empty())
-  {
-    return 0.0;
-  }
-  Search search(limit, rounding);
-  for (const InterfacePiece& piece : pieces)
-  {
-    const TriangleTree* surface = surfaces.between(piece.materials);
-    if (!surface)
-    {
-      return infinity;
-    }
-    search.add(piece.corners, *surface);
-    if (search.aboveLimit())
-    {
-      break;
-    }
-  }
-  return search.result();
+  const auto surfacesOf = [&](UnorderedPair materials) { return std::array{ surfaces.between(materials) }; };
+  return largestDistanceToAll(pieces, surfacesOf, limit, rounding);
 }
 
 double largestDistanceToRegions(
   const std::vector<InterfacePiece>& pieces, const RegionTrees& regions, double limit, double rounding)
 {
-  if (pieces.empty())
-  {
-    return 0.0;
-  }
-  Search search(limit, rounding);
-  for (const InterfacePiece& piece : pieces)
-  {
-    for (const MaterialId material : { piece.materials.lower, piece.materials.upper })
-    {
-      const TriangleTree* boundary = regions.around(material);
-      if (!boundary)
-      {
-        return infinity;
-      }
-      search.add(piece.corners, *boundary);
-      if (search.aboveLimit())
-      {
-        return search.result();
-      }
-    }
-  }
-  return search.result();
+  const auto surfacesOf = [&](UnorderedPair materials) {
+    return std::array{ regions.around(materials.lower), regions.around(materials.upper) };
+  };
+  return largestDistanceToAll(pieces, surfacesOf, limit, rounding);
 }
 }

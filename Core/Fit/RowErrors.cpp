@@ -32,24 +32,29 @@ double relativeError(
   return std::sqrt(largest2) / bounds.fieldErrors[samples.field];
 }
 
+SignedDistance signedDistance(
+  const Hierarchy& values, const HierarchyCell& cell, const CellRows& rows, const CellRows::InterfaceVertices& vertices)
+{
+  SignedDistance result;
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    result.corners[k] = static_cast<double>(*values.valuesOf(cell.corners[k], vertices.negative)) -
+                        static_cast<double>(*values.valuesOf(cell.corners[k], vertices.positive));
+    result.gradient += result.corners[k] * rows.gradients[k];
+  }
+  return result;
+}
+
 double relativeError(const Hierarchy& values, const HierarchyCell& cell, const CellRows& rows,
   const CellRows::InterfaceVertices& vertices, const ErrorBounds& bounds)
 {
-  std::array<double, 4> signedDistance;
-  Vector gradient = Vector::Zero();
-  for (std::size_t k = 0; k < 4; ++k)
-  {
-    signedDistance[k] = static_cast<double>(*values.valuesOf(cell.corners[k], vertices.negative)) -
-                        static_cast<double>(*values.valuesOf(cell.corners[k], vertices.positive));
-    gradient += signedDistance[k] * rows.gradients[k];
-  }
+  const SignedDistance distance = signedDistance(values, cell, rows, vertices);
   double largest = 0.0;
   for (const CellRows::Weights& w : vertices.weights)
   {
-    largest = std::max(largest, std::abs(w[0] * signedDistance[0] + w[1] * signedDistance[1] +
-                                         w[2] * signedDistance[2] + w[3] * signedDistance[3]));
+    largest = std::max(largest, std::abs(distance.at(w)));
   }
-  return largest > 0.0 ? largest / gradient.norm() / bounds.interfaceError : 0.0;
+  return largest > 0.0 ? largest / distance.gradient.norm() / bounds.interfaceError : 0.0;
 }
 
 double relativeError(

@@ -1,6 +1,7 @@
 #include "Fit/VertexFit.h"
 
 #include "Fit/Influence.h"
+#include "Fit/RowErrors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,20 +130,11 @@ private:
     // A larger distance to the negative material raises the signed distance, one to the positive lowers it.
     const double sign = group.negative == m ? 1.0 : -1.0;
     const std::size_t own = cornerIn(cell);
-    std::array<double, 4> signedDistance;
-    Vector gradient = Vector::Zero();
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      signedDistance[k] = static_cast<double>(*values_.valuesOf(cell.corners[k], group.negative)) -
-                          static_cast<double>(*values_.valuesOf(cell.corners[k], group.positive));
-      gradient += signedDistance[k] * rows.gradients[k];
-    }
-    influence_.beginGroup(bounds_.interfaceError, gradient, sign * rows.gradients[own]);
+    const SignedDistance distance = signedDistance(values_, cell, rows, group);
+    influence_.beginGroup(bounds_.interfaceError, distance.gradient, sign * rows.gradients[own]);
     for (const CellRows::Weights& w : group.weights)
     {
-      const double at =
-        w[0] * signedDistance[0] + w[1] * signedDistance[1] + w[2] * signedDistance[2] + w[3] * signedDistance[3];
-      influence_.add(at, -sign * w[own], 0.0);
+      influence_.add(distance.at(w), -sign * w[own], 0.0);
     }
   }
 

@@ -199,7 +199,7 @@ OriginalMaterial::Answer OriginalMaterial::at(const Vector& p, double needed, Ba
   const double distance = last.answer.distance - (p - last.center).norm();
   if (distance > needed && !hasGaps())
   {
-    return { last.answer.material, distance, last.answer.nearGap };
+    return { last.answer.material, distance };
   }
   last = { p, at(p) };
   return last.answer;

@@ -1,29 +1,18 @@
-#include "Conversion/CurvedDeviation.h"
 #include "Conversion/DefaultField.h"
 #include "Conversion/InputGrid.h"
 #include "Conversion/ReadSimulation.h"
+#include "CurvedTypes.h"
 
 #include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkDoubleArray.h"
-#include "vtkGenericCell.h"
-#include "vtkHigherOrderHexahedron.h"
-#include "vtkHigherOrderTetra.h"
-#include "vtkHigherOrderWedge.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <map>
 #include <numeric>
-#include <random>
 
 namespace conversion = strata::conversion;
 using strata::CellShape;
@@ -33,72 +22,6 @@ using strata::Vector;
 
 namespace
 {
-struct CurvedType
-{
-  const char* name;
-  int type;
-  int nodes;
-  int pieces;
-  int boundaryFaces; ///< of the pieces, on the cell's faces
-};
-
-// A triangle is cut into n^2 triangles, a quadrilateral into n^2 quadrilaterals (n m on a wedge of degrees n and m).
-const CurvedType curvedTypes[] = { { "quadratic tetrahedron", VTK_QUADRATIC_TETRA, 10, 8, 16 },
-  { "quadratic hexahedron", VTK_QUADRATIC_HEXAHEDRON, 20, 8, 24 },
-  { "triquadratic hexahedron", VTK_TRIQUADRATIC_HEXAHEDRON, 27, 8, 24 },
-  { "biquadratic hexahedron", VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, 24, 8, 24 },
-  { "quadratic wedge", VTK_QUADRATIC_WEDGE, 15, 8, 20 },
-  { "quadratic linear wedge", VTK_QUADRATIC_LINEAR_WEDGE, 12, 4, 14 },
-  { "biquadratic wedge", VTK_BIQUADRATIC_QUADRATIC_WEDGE, 18, 8, 20 },
-  { "quadratic pyramid", VTK_QUADRATIC_PYRAMID, 13, 10, 20 },
-  { "triquadratic pyramid", VTK_TRIQUADRATIC_PYRAMID, 19, 10, 20 },
-  { "Lagrange tetrahedron", VTK_LAGRANGE_TETRAHEDRON, 20, 27, 36 },
-  { "Lagrange hexahedron", VTK_LAGRANGE_HEXAHEDRON, 64, 27, 54 }, { "Lagrange wedge", VTK_LAGRANGE_WEDGE, 40, 27, 45 },
-  { "Bezier tetrahedron", VTK_BEZIER_TETRAHEDRON, 20, 27, 36 },
-  { "Bezier hexahedron", VTK_BEZIER_HEXAHEDRON, 27, 8, 24 }, { "Bezier wedge", VTK_BEZIER_WEDGE, 18, 8, 20 } };
-
-using Map = std::function<Vector(const Vector&)>;
-
-Vector bent(const Vector& p)
-{
-  return { p[0] + 0.1 * p[1] * p[1], p[1] + 0.1 * p[2] * p[0], p[2] + 0.1 * p[0] * p[1] };
-}
-
-/// One cell whose nodes lie where a map takes those of the unit cell.
-vtkSmartPointer<vtkUnstructuredGrid> oneCell(const CurvedType& kind, const Map& map)
-{
-  vtkNew<vtkGenericCell> generic;
-  generic->SetCellType(kind.type);
-  vtkCell* cell = generic->GetRepresentativeCell();
-  cell->GetPointIds()->SetNumberOfIds(kind.nodes);
-  cell->GetPoints()->SetNumberOfPoints(kind.nodes);
-  if (auto* hexahedron = vtkHigherOrderHexahedron::SafeDownCast(cell))
-  {
-    hexahedron->SetUniformOrderFromNumPoints(kind.nodes);
-  }
-  if (auto* wedge = vtkHigherOrderWedge::SafeDownCast(cell))
-  {
-    wedge->SetUniformOrderFromNumPoints(kind.nodes);
-  }
-  cell->Initialize();
-  const double* parameters = cell->GetParametricCoords();
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  std::vector<vtkIdType> ids;
-  for (int node = 0; node < kind.nodes; ++node)
-  {
-    const double* p = parameters + 3 * node;
-    // The sections of this pyramid all have parameters from 0 to 1.
-    const double width = kind.type == VTK_QUADRATIC_PYRAMID ? 1.0 - p[2] : 1.0;
-    const Vector place = map(Vector(width * p[0], width * p[1], p[2]));
-    ids.push_back(points->InsertNextPoint(place.data()));
-  }
-  grid->SetPoints(points);
-  grid->InsertNextCell(kind.type, kind.nodes, ids.data());
-  return grid;
-}
-
 const UnstructuredGrid& gridOf(const conversion::InputGrid& input)
 {
   return std::get<UnstructuredGrid>(input.grid);
@@ -136,79 +59,6 @@ std::pair<int, int> faceUses(const UnstructuredGrid& grid)
   }
   return result;
 }
-
-/// How far a random field with two components on one curved cell is from that on its linear pieces.
-class DeviationAt
-{
-public:
-  DeviationAt(const CurvedType& kind, std::mt19937& random) : grid_(oneCell(kind, bent))
-  {
-    grid_->GetCell(0, cell_);
-    conversion::CurvedPatterns patterns(grid_);
-    pattern_ = patterns.of(0, kind.type, kind.nodes);
-    std::uniform_real_distribution<double> unit(-1.0, 1.0);
-    for (int i = 0; i < components * kind.nodes; ++i)
-    {
-      values_.push_back(unit(random));
-    }
-    deviation_.add(*pattern_, values_);
-  }
-
-  bool isBounded() const { return !pattern_->deviation.empty(); }
-  double bound() const { return deviation_.bound(); }
-  std::size_t pieceCount() const { return pattern_->pieces.size(); }
-
-  /// At a point of a piece, whose corners are those of a cube, some of them together.
-  double operator()(std::size_t number, const Vector& u) const
-  {
-    static const std::map<CellShape, std::array<std::size_t, 8>> corners = { { CellShape::Tetrahedron,
-                                                                               { 0, 1, 2, 2, 3, 3, 3, 3 } },
-      { CellShape::Wedge, { 0, 1, 2, 2, 3, 4, 5, 5 } }, { CellShape::Hexahedron, { 0, 1, 3, 2, 4, 5, 7, 6 } } };
-    const conversion::CurvedPattern::Piece& piece = pattern_->pieces[number];
-    Vector parameters = Vector::Zero();
-    std::array<double, components> difference{};
-    for (std::size_t i = 0; i < 8; ++i)
-    {
-      const double weight =
-        ((i & 1) != 0 ? u[0] : 1.0 - u[0]) * ((i & 2) != 0 ? u[1] : 1.0 - u[1]) * ((i & 4) != 0 ? u[2] : 1.0 - u[2]);
-      const auto point = static_cast<std::size_t>(piece.corners[corners.at(piece.shape)[i]]);
-      for (const auto& [corner, part] : pattern_->straight[point])
-      {
-        parameters += weight * part * Vector(cell_->GetParametricCoords() + 3 * corner);
-      }
-      add(pattern_->points[point], -weight, difference);
-    }
-    std::vector<double> weights(static_cast<std::size_t>(cell_->GetNumberOfPoints()));
-    cell_->InterpolateFunctions(parameters.data(), weights.data());
-    conversion::NodeWeights own;
-    for (std::size_t node = 0; node < weights.size(); ++node)
-    {
-      own.emplace_back(static_cast<int>(node), weights[node]);
-    }
-    add(own, 1.0, difference);
-    return std::hypot(difference[0], difference[1]);
-  }
-
-private:
-  static constexpr int components = 2;
-
-  void add(const conversion::NodeWeights& weights, double factor, std::array<double, components>& difference) const
-  {
-    for (const auto& [node, weight] : weights)
-    {
-      for (std::size_t c = 0; c < components; ++c)
-      {
-        difference[c] += factor * weight * values_[static_cast<std::size_t>(node) * components + c];
-      }
-    }
-  }
-
-  vtkSmartPointer<vtkUnstructuredGrid> grid_;
-  vtkNew<vtkGenericCell> cell_;
-  std::shared_ptr<const conversion::CurvedPattern> pattern_;
-  std::vector<double> values_;
-  conversion::CurvedDeviation deviation_{ components };
-};
 
 void addPointField(vtkUnstructuredGrid* grid, const std::vector<double>& values)
 {
@@ -274,90 +124,6 @@ TEST(CurvedCells, StraightCellsStayWholeWhereNoFieldBends)
     const auto sheared = [](const Vector& p) { return Vector(p[0] + 0.1 * p[2], p[1], p[2]); };
     EXPECT_EQ(gridOf(conversion::readGrid(oneCell(kind, sheared))).cellCount(), 1) << kind.name;
   }
-}
-
-TEST(CurvedCells, TheDeviationOfASquareIsFound)
-{
-  // Between 0 and 1/2, and 1/2 and 1, r^2 differs from its chords by 1/16 at most.
-  const auto grid = oneCell(curvedTypes[2], [](const Vector& p) { return p; });
-  std::vector<double> squares;
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-  {
-    squares.push_back(grid->GetPoint(i)[0] * grid->GetPoint(i)[0]);
-  }
-  conversion::CurvedPatterns patterns(grid);
-  const auto pattern = patterns.of(0, VTK_TRIQUADRATIC_HEXAHEDRON, 27);
-  conversion::CurvedDeviation deviation(1);
-  deviation.add(*pattern, squares);
-  EXPECT_NEAR(deviation.bound(), 1.0 / 16.0, 1e-12);
-}
-
-TEST(CurvedCells, TheDeviationOfLinearFieldsIsNone)
-{
-  for (const CurvedType& kind : curvedTypes)
-  {
-    const auto grid = oneCell(kind, [](const Vector& p) { return p; });
-    conversion::CurvedPatterns patterns(grid);
-    const auto pattern = patterns.of(0, kind.type, kind.nodes);
-    ASSERT_TRUE(pattern) << kind.name;
-    std::vector<double> places;
-    for (int node = 0; node < kind.nodes; ++node)
-    {
-      places.insert(places.end(), grid->GetPoint(node), grid->GetPoint(node) + 3);
-    }
-    conversion::CurvedDeviation deviation(3);
-    deviation.add(*pattern, places);
-    EXPECT_LT(deviation.bound(), 1e-12) << kind.name;
-  }
-}
-
-TEST(CurvedCells, NoneOfTenThousandPointsDeviatesMoreThanTheBoundWhichIsTight)
-{
-  std::mt19937 random(1);
-  const auto randomVector = [&](double lower, double upper) {
-    std::uniform_real_distribution<double> number(lower, upper);
-    const double x = number(random);
-    const double y = number(random);
-    return Vector(x, y, number(random));
-  };
-  double smallestRatio = 2.0;
-  for (const CurvedType& kind : curvedTypes)
-  {
-    const DeviationAt deviationAt(kind, random);
-    if (!deviationAt.isBounded())
-    {
-      EXPECT_NE(std::string(kind.name).find("pyramid"), std::string::npos);
-      continue;
-    }
-    double largest = 0.0;
-    for (std::size_t piece = 0; piece < deviationAt.pieceCount(); ++piece)
-    {
-      double reached = 0.0;
-      Vector best = Vector::Zero();
-      const auto look = [&](const Vector& u) {
-        const double length = deviationAt(piece, u);
-        best = length > reached ? u : best;
-        reached = std::max(reached, length);
-      };
-      for (std::size_t i = 0; i <= 10000 / deviationAt.pieceCount(); ++i)
-      {
-        look(randomVector(0.0, 1.0));
-      }
-      // On from the best one, in ever smaller steps.
-      for (double step = 0.1; step > 1e-3; step *= 0.98)
-      {
-        look((best + step * randomVector(-1.0, 1.0)).cwiseMax(0.0).cwiseMin(1.0));
-      }
-      largest = std::max(largest, reached);
-    }
-    EXPECT_GE(deviationAt.bound(), largest) << kind.name;
-    EXPECT_LE(deviationAt.bound(), 1.12 * largest) << kind.name;
-    RecordProperty(
-      std::string("BoundOverSeen.") + std::to_string(kind.type), std::to_string(deviationAt.bound() / largest));
-    smallestRatio = std::min(smallestRatio, deviationAt.bound() / largest);
-  }
-  // One bound one per cent lower would be exceeded.
-  EXPECT_LT(0.99 * smallestRatio, 1.0);
 }
 
 TEST(CurvedCells, AWrongNumberOfNodesIsNoReasonToReadBeyondThem)

@@ -66,11 +66,7 @@ vtkSmartPointer<vtkImageData> slab(int begin, int end, int ghosts)
     ghost->SetValue(cell, cell / (cells * cells) < begin + ghosts ? vtkDataSetAttributes::DUPLICATECELL : 0);
   }
   image->GetCellData()->AddArray(ghost);
-  int extent[6];
-  image->GetExtent(extent);
-  extent[4] = begin;
-  extent[5] = end;
-  image->Crop(extent);
+  cropAlongZ(image, begin, end);
   return image;
 }
 

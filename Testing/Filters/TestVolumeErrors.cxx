@@ -41,11 +41,7 @@ vtkSmartPointer<vtkImageData> roughHalves()
 vtkSmartPointer<vtkImageData> slab(int begin, int end)
 {
   vtkSmartPointer<vtkImageData> image = roughHalves();
-  int extent[6];
-  image->GetExtent(extent);
-  extent[4] = begin;
-  extent[5] = end;
-  image->Crop(extent);
+  cropAlongZ(image, begin, end);
   return image;
 }
 

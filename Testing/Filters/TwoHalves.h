@@ -102,3 +102,13 @@ inline vtkIdType cellsOf(vtkAlgorithm* filter)
     EXPECT_EQ(strata::test::cellsOf(filter), 0);                                                                       \
   } while (false)
 }
+
+/// Leaves the cells from `begin` to `end` along z.
+inline void cropAlongZ(vtkImageData* image, int begin, int end)
+{
+  int extent[6];
+  image->GetExtent(extent);
+  extent[4] = begin;
+  extent[5] = end;
+  image->Crop(extent);
+}
